@@ -1,0 +1,66 @@
+#include "anatomy/breath_run.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace trunk {
+namespace {
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+double relative_volume_error(const Model& model, const State<double>& state) {
+  const double fraction = model.abdomen.target.empty() ? 1.0 : model.abdomen.target(state.time_s);
+  const double volume = enclosed_volume<double>(model.abdomen.triangles, state.position);
+  return std::abs(volume / (fraction * model.abdomen.rest) - 1.0);
+}
+
+}  // namespace
+
+BreathRun run_breath(const Trunk& trunk, const Scenario& scenario, int frame_every) {
+  const Model& model = trunk.model;
+  const double start_volume = enclosed_volume<double>(model.lung, model.rest);
+  double highest = -std::numeric_limits<double>::infinity();
+  BreathRun run;
+  run.end_inspiration = model.rest;
+
+  const auto observe = [&](int step, double activation, const State<double>& state,
+                           const StepReport<double>& report) {
+    const double volume = enclosed_volume<double>(model.lung, state.position);
+    run.time_s.push_back(state.time_s);
+    run.delta_v.push_back(volume - start_volume);
+    run.activation.push_back(activation);
+    run.pressure_Pa.push_back(report.pressure_Pa);
+    run.max_relative_volume_error =
+        std::max(run.max_relative_volume_error, relative_volume_error(model, state));
+    if (volume > highest) {
+      highest = volume;
+      run.end_inspiration = state.position;
+    }
+    if (frame_every > 0 && step % frame_every == 0)
+      run.frames.push_back({step, state.position, state.velocity});
+  };
+  const auto start = std::chrono::steady_clock::now();
+  run.summary = simulate(model, scenario.parameters, scenario.activation, scenario.time, observe);
+  run.wall_s = seconds_since(start);
+  run.measures = measures_between(shape_of(trunk, model.rest), shape_of(trunk, run.end_inspiration));
+  return run;
+}
+
+VolumeCurve simulate_volume(const Trunk& trunk, const Parameters<double>& parameters,
+                            const BreathActivation<double>& activation, const TimeGrid& grid) {
+  const Model& model = trunk.model;
+  const double start_volume = enclosed_volume<double>(model.lung, model.rest);
+  VolumeCurve curve;
+  curve.delta_v.reserve(static_cast<std::size_t>(grid.steps()) + 1);
+  curve.summary = simulate(model, parameters, activation, grid,
+                           [&](int, double, const State<double>& state, const StepReport<double>&) {
+                             curve.delta_v.push_back(enclosed_volume<double>(model.lung, state.position) -
+                                                     start_volume);
+                           });
+  return curve;
+}
+
+}  // namespace trunk

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <vector>
+
+#include "anatomy/measures.hpp"
+#include "anatomy/scenario.hpp"
+
+namespace trunk {
+
+/// What is kept of a simulated breath. Curves have one entry a step and one for the start.
+struct BreathRun {
+  Summary summary;
+  std::vector<double> time_s;
+  std::vector<double> delta_v;      // m3, lung volume above its start
+  std::vector<double> activation;   // 0..1
+  std::vector<double> pressure_Pa;  // abdominal, above rest
+  double max_relative_volume_error = 0.0;
+  double wall_s = 0.0;  // the time loop alone
+
+  struct Frame {
+    int step;
+    std::vector<Vec3d> position, velocity;  // [particles]
+  };
+  std::vector<Frame> frames;
+  std::vector<Vec3d> end_inspiration;  // [particles] where the lung volume was highest
+  Measures measures;                   // between the start and end-inspiration
+};
+
+/// Simulates one breath and keeps curves, frames and measures. `frame_every` steps; 0 keeps no frames.
+BreathRun run_breath(const Trunk& trunk, const Scenario& scenario, int frame_every);
+
+/// Lung volume above its start at every step, m3: what a fit compares. Kept small: no frames, no measures.
+struct VolumeCurve {
+  Summary summary;
+  std::vector<double> delta_v;  // [steps + 1]
+};
+VolumeCurve simulate_volume(const Trunk& trunk, const Parameters<double>& parameters,
+                            const BreathActivation<double>& activation, const TimeGrid& grid);
+
+}  // namespace trunk

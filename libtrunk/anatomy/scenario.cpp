@@ -1,0 +1,71 @@
+#include "anatomy/scenario.hpp"
+
+#include <fmt/format.h>
+
+#include "dynamics/stability.hpp"
+#include "errors/input_error.hpp"
+
+namespace trunk {
+namespace {
+
+Vec3d imposed_axes(const Vec3d& direction) {
+  return {direction.x() != 0.0 ? 1.0 : 0.0, direction.y() != 0.0 ? 1.0 : 0.0, direction.z() != 0.0 ? 1.0 : 0.0};
+}
+
+std::string names_of(const std::map<std::string, std::vector<int>>& regions) {
+  std::string names;
+  for (const auto& [name, particles] : regions) names += (names.empty() ? "" : ", ") + name;
+  return names;
+}
+
+void apply(const RegionLoad& load, Trunk& trunk) {
+  const auto region = trunk.regions.find(load.region);
+  if (region == trunk.regions.end())
+    throw InputError(fmt::format("{}: there is no region '{}', expected one of {}", load.origin, load.region,
+                                 names_of(trunk.regions)));
+  const Vec3d axes = imposed_axes(load.direction);
+  for (int i : region->second) {
+    if (load.kind == RegionLoad::Kind::force) {
+      trunk.model.focal_forces.push_back({i, load.direction, load.magnitude});
+    } else {
+      trunk.model.imposed_displacements.push_back({i, axes, load.direction, load.magnitude});
+      Vec3d& mobility = trunk.model.mobility[static_cast<std::size_t>(i)];
+      mobility = hadamard(mobility, Vec3d(1.0, 1.0, 1.0) - axes);
+    }
+  }
+}
+
+/// A particle that is held or driven cannot be pushed back by the rib cage: its support is left out.
+void drop_supports_of_held_particles(Model& model) {
+  std::erase_if(model.supports, [&](const Support& s) {
+    const Vec3d& m = model.mobility[static_cast<std::size_t>(s.particle)];
+    return m.x() * m.y() * m.z() == 0.0;
+  });
+}
+
+}  // namespace
+
+Trunk make_trunk(const Scenario& s) {
+  Trunk trunk = make_trunk(s.geometry, s.tissue, s.reaction);
+  trunk.model.gravity = s.gravity;
+  trunk.model.abdomen.target = s.abdominal_volume;
+  for (const RegionLoad& load : s.loads) apply(load, trunk);
+  drop_supports_of_held_particles(trunk.model);
+  require_valid(trunk.model);
+  return trunk;
+}
+
+void require_stable(const Scenario& s, const Trunk& trunk) {
+  const double bound = stable_time_step(trunk.model, s.parameters);
+  if (!(s.time.dt_s < bound))
+    throw InputError(fmt::format(
+        "a time step of {:.4g} ms is unstable for k_elasticity {:.4g} N/m, k_muscle {:.4g} N/m and damping "
+        "{:.4g} N s/m; expected less than {:.4g} ms: lower time.dt_ms",
+        1e3 * s.time.dt_s, s.parameters.elasticity, s.parameters.muscle, s.parameters.damping, 1e3 * bound));
+  const double steps = s.time.duration_s / s.time.dt_s;
+  if (!(steps >= 1.0 && steps <= 1e7))
+    throw InputError(fmt::format("a duration of {:.4g} s at {:.4g} ms makes {:.3g} steps; expected 1 to 1e7",
+                                 s.time.duration_s, 1e3 * s.time.dt_s, steps));
+}
+
+}  // namespace trunk

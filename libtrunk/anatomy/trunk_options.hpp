@@ -1,0 +1,37 @@
+#pragma once
+
+namespace trunk {
+
+/// Sizes of the parametric trunk, m and m3. The defaults are derived from the paper's Table 1 where it tells
+/// (apposition_length, end_expiratory_volume, and half_width x half_depth from 466 ml over 9.13 mm); the rest
+/// is our choice from adult anatomy.
+struct TrunkGeometry {
+  double half_width = 0.160;
+  double half_depth = 0.105;
+  double abdomen_height = 0.200;     // pelvic floor to costal insertion
+  double apposition_length = 0.149;  // costal insertion to top of the zone of apposition
+  double dome_height_right = 0.070;  // top of the zone of apposition to the right dome
+  double dome_height_left = 0.070;
+  double end_expiratory_volume = 4760e-6;
+};
+
+enum class Side { none, right, left, both };
+
+/// Where the muscle fibres end; they begin at the costal insertion.
+///  - tendon_border: the border of the central tendon (the paper's introduction: the tendon "originates the
+///    muscular fibers", inserted on the ribs). Our choice, the default: it reproduces the measured shape change.
+///  - apposition_top: the top of the zone of apposition (the paper's model: "vertical and along the zone of
+///    apposition").
+enum class FibreEnd { tendon_border, apposition_top };
+
+/// Everything about tissue, muscle and skeleton that is not a fitted parameter.
+struct Tissue {
+  double particle_mass = 0.2;        // kg; our choice
+  double tendon_factor = 2.0;        // stiffness of the central tendon over the other diaphragm (paper)
+  FibreEnd fibre_end = FibreEnd::tendon_border;
+  bool ribs = true;                  // costal insertion held, zone of apposition not crossing the rib cage
+  Side paralysed = Side::none;
+  double paralysed_stiffness = 0.5;  // elasticity left in a paralysed hemidiaphragm, times the healthy one
+};
+
+}  // namespace trunk

@@ -1,0 +1,140 @@
+#pragma once
+
+#include <limits>
+
+#include "constraints/volume_root.hpp"
+#include "model/state.hpp"
+#include "model/workspace.hpp"
+
+namespace trunk {
+
+/// What the projection reports. The multiplier divided by dt^2 is the pressure inside the held volume, Pa:
+/// the correction dt^2 (p dV/dx) / (m + dt c) is what a force p dV/dx would have added to the step.
+template <Scalar S>
+struct Projection {
+  S multiplier{0.0};
+  Mask<S> found;  // false where no displacement restores the volume
+};
+
+namespace detail {
+
+/// Puts the particles that touch back on their plane. (predicted, contact) => corrected
+template <Scalar S>
+void project_onto_supports(const Model& model, const State<S>& state, Workspace<S>& w) noexcept {
+  for (std::size_t s = 0; s < model.supports.size(); ++s) {
+    const Support& support = model.supports[s];
+    const auto i = static_cast<std::size_t>(support.particle);
+    const Vec3<S> x = w.predicted[i];
+    const S excess = dot(lift<S>(support.normal), x) - S(support.offset);
+    w.corrected[i] = select(state.contact[s].touching, x - excess * lift<S>(support.push), x);
+  }
+}
+
+/// The volume correction: dV/dP over the effective mass (the paper's eq. 2 for equal masses) along free axes.
+/// (gradient) => direction, free_direction
+template <Scalar S>
+void calc_direction(const Model& model, Workspace<S>& w) noexcept {
+  const RingTable& rings = model.abdomen.rings;
+  for (std::size_t r = 0; r < rings.size(); ++r) {
+    const auto i = static_cast<std::size_t>(rings.vertex[r]);
+    w.direction[i] = scaled(model.mobility[i], w.inverse_effective_mass[i] * w.gradient[r]);
+  }
+  for (std::size_t s = 0; s < model.supports.size(); ++s)
+    w.free_direction[s] = w.direction[static_cast<std::size_t>(model.supports[s].particle)];
+}
+
+/// Particles that touch are corrected along their plane only. (free_direction, contact) => direction
+template <Scalar S>
+void slide_along_supports(const Model& model, const State<S>& state, Workspace<S>& w) noexcept {
+  for (std::size_t s = 0; s < model.supports.size(); ++s) {
+    const Support& support = model.supports[s];
+    const Vec3<S> d = w.free_direction[s];
+    const Vec3<S> along = d - dot(lift<S>(support.normal), d) * lift<S>(support.push);
+    w.direction[static_cast<std::size_t>(support.particle)] = select(state.contact[s].touching, along, d);
+  }
+}
+
+/// Volume at corrected + lambda direction. With V(x) = T(x, x, x) and T trilinear and symmetric, the gradients
+/// at x and at d give all four coefficients (Euler's theorem on homogeneous functions).
+template <Scalar S>
+VolumeCubic<S> volume_along_direction(const RingTable& rings, Workspace<S>& w) noexcept {
+  calc_volume_gradient<S>(rings, w.direction, w.direction_gradient);
+  Vec3<S> c0, c1, c2, c3;
+  for (std::size_t r = 0; r < rings.size(); ++r) {
+    const auto i = static_cast<std::size_t>(rings.vertex[r]);
+    c0 += hadamard(w.gradient[r], w.corrected[i]);
+    c1 += hadamard(w.gradient[r], w.direction[i]);
+    c2 += hadamard(w.direction_gradient[r], w.corrected[i]);
+    c3 += hadamard(w.direction_gradient[r], w.direction[i]);
+  }
+  const auto total = [](const Vec3<S>& a) { return a.x() + a.y() + a.z(); };
+  return {S(1.0 / 3.0) * total(c0), total(c1), total(c2), S(1.0 / 3.0) * total(c3)};
+}
+
+/// A particle touches where, corrected as if its support were absent, it would be outside. Returns true in the
+/// lanes where every support keeps its side. (predicted, free_direction) => contact
+template <Scalar S>
+Mask<S> update_touching(const Model& model, const S& multiplier, const Workspace<S>& w,
+                        State<S>& state) noexcept {
+  Mask<S> settled = S(0.0) < S(1.0);
+  for (std::size_t s = 0; s < model.supports.size(); ++s) {
+    const Support& support = model.supports[s];
+    const Vec3<S> unsupported =
+        w.predicted[static_cast<std::size_t>(support.particle)] + multiplier * w.free_direction[s];
+    const Mask<S> touching = S(support.offset) < dot(lift<S>(support.normal), unsupported);
+    settled = Mask<S>(settled & (touching == state.contact[s].touching));
+    state.contact[s].touching = touching;
+  }
+  return settled;
+}
+
+/// True where no multiplier fits between the bounds but round-off: a particle touches without any force, and
+/// both sides of its support give the same positions.
+template <Scalar S>
+Mask<S> bracket_is_point(const S& low, const S& high) noexcept {
+  const auto size = [](const S& a) { return select(a < S(0.0), -a, a); };
+  const S round_off = S(4.0 * std::numeric_limits<double>::epsilon()) * (size(low) + size(high));
+  return (high - low) < round_off;
+}
+
+}  // namespace detail
+
+/// Solves for positions that enclose the target volume exactly (paper, eq. 2) and cross no support, together:
+/// x = predicted + lambda d, put back on the plane where that is outside, with V(x) = target. The direction d is
+/// dV/dP at the predicted positions, those that touched at the last step put back on their plane (our choice).
+/// V(x(lambda)) increases with lambda piece by piece, a cubic each; the search for the right piece starts from
+/// the last step's, takes the root of each piece, and halves the bracket where that leaves it.
+/// (predicted, state.contact) => corrected, state.contact
+template <Scalar S>
+Projection<S> project_volume_and_supports(const Model& model, const S& target, State<S>& state,
+                                          Workspace<S>& w) noexcept {
+  constexpr int max_searches = 64;
+  const RingTable& rings = model.abdomen.rings;
+  S low(-1e300), high(1e300), multiplier(0.0);
+  Mask<S> settled = S(1.0) < S(0.0);
+  w.corrected = w.predicted;
+  for (int search = 0; search < max_searches && !all(settled); ++search) {
+    detail::project_onto_supports(model, state, w);
+    calc_volume_gradient<S>(rings, w.corrected, w.gradient);
+    if (search == 0) detail::calc_direction(model, w);
+    detail::slide_along_supports(model, state, w);
+    const VolumeCubic<S> cubic = detail::volume_along_direction(rings, w);
+    if (search > 0) {
+      const S excess = cubic(multiplier) - target;
+      low = select(excess < S(0.0), multiplier, low);
+      high = select(S(0.0) < excess, multiplier, high);
+    }
+    const S root = solve_volume(cubic, target);
+    const Mask<S> exhausted = detail::bracket_is_point(low, high);
+    const Mask<S> accepted = ((low < root) & (root < high)) | exhausted;
+    multiplier = select(accepted, root, S(0.5) * low + S(0.5) * high);
+    settled = accepted & (detail::update_touching(model, multiplier, w, state) | exhausted);
+  }
+  for (int vertex : rings.vertex) {
+    const auto i = static_cast<std::size_t>(vertex);
+    w.corrected[i] += multiplier * w.direction[i];
+  }
+  return {multiplier, Mask<S>(finite(multiplier) & settled)};
+}
+
+}  // namespace trunk

@@ -1,0 +1,69 @@
+#pragma once
+
+#include "constraints/displacement.hpp"
+#include "constraints/volume_and_contact.hpp"
+#include "forces/field.hpp"
+#include "forces/focal.hpp"
+#include "forces/muscle.hpp"
+#include "forces/shape_memory.hpp"
+#include "model/state.hpp"
+#include "model/workspace.hpp"
+
+namespace trunk {
+
+/// What one step tells.
+template <Scalar S>
+struct StepReport {
+  S pressure_Pa{0.0};  // inside the held volume, above its rest value
+  Mask<S> ok;          // false where the volume could not be restored or a number is not finite
+};
+
+/// All forces at the current positions, N. (state, activation) => force
+template <Scalar S>
+void calc_forces(const Model& model, const Parameters<S>& parameters, const S& activation,
+                 const State<S>& state, Workspace<S>& w) noexcept {
+  set_gravity<S>(model, w.force);
+  add_shape_memory<S>(model.shape_memory, w.ring_stiffness, state.position, w.force);
+  add_muscle<S>(model.fibres, activation * parameters.muscle, state.position, w.force);
+  add_focal<S>(model.focal_forces, state.time_s, w.force);
+}
+
+/// Semi-implicit Euler with implicit damping (our choice): v' = (m v + dt F) / (m + dt c), x' = x + dt v'.
+/// (state, force) => predicted
+template <Scalar S>
+void predict(const Model& model, const State<S>& state, Workspace<S>& w) noexcept {
+  const S dt(w.dt_s);
+  for (std::size_t i = 0; i < model.particles(); ++i) {
+    const Vec3<S> momentum = S(model.mass[i]) * state.velocity[i] + dt * w.force[i];
+    const Vec3<S> velocity = scaled(model.mobility[i], w.inverse_effective_mass[i] * momentum);
+    w.predicted[i] = state.position[i] + dt * velocity;
+  }
+}
+
+/// Velocities are what the constraints let through. (corrected) => state
+template <Scalar S>
+void accept(double dt_s, const Workspace<S>& w, State<S>& state) noexcept {
+  const S rate(1.0 / dt_s);
+  for (std::size_t i = 0; i < state.position.size(); ++i) {
+    state.velocity[i] = rate * (w.corrected[i] - state.position[i]);
+    state.position[i] = w.corrected[i];
+  }
+  state.time_s += dt_s;
+}
+
+/// Advances the state by one step of w.dt_s: forces, integration, constraints. Allocates nothing.
+template <Scalar S>
+StepReport<S> step(const Model& model, const Parameters<S>& parameters, const S& activation, State<S>& state,
+                   Workspace<S>& w) noexcept {
+  calc_forces(model, parameters, activation, state, w);
+  predict(model, state, w);
+  const double end_s = state.time_s + w.dt_s;
+  impose_displacements<S>(model, end_s, w.predicted);
+  const double fraction = model.abdomen.target.empty() ? 1.0 : model.abdomen.target(end_s);
+  const Projection<S> projection =
+      project_volume_and_supports(model, S(fraction * model.abdomen.rest), state, w);
+  accept(w.dt_s, w, state);
+  return {S(1.0 / (w.dt_s * w.dt_s)) * projection.multiplier, projection.found};
+}
+
+}  // namespace trunk

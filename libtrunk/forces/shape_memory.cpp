@@ -1,0 +1,51 @@
+#include "forces/shape_memory.hpp"
+
+#include <fmt/format.h>
+
+#include "errors/input_error.hpp"
+
+namespace trunk {
+namespace {
+
+LocalFrame<double> frame_of(std::span<const int> neighbours, std::span<const Vec3d> position) {
+  std::vector<Vec3d> points;
+  for (int i : neighbours) points.push_back(position[static_cast<std::size_t>(i)]);
+  return local_frame(std::span<const Vec3d>(points));
+}
+
+void require_usable(const Surface& surface) {
+  for (const auto& [vertex, neighbours] : surface.one_rings())
+    if (neighbours.size() < 3 || neighbours.size() > max_valence)
+      throw InputError(fmt::format("surface '{}': particle {} has {} neighbours, expected 3 to {}",
+                                   surface.name(), vertex, neighbours.size(), max_valence));
+}
+
+}  // namespace
+
+double shape_memory_energy(const ShapeMemory& memory, std::span<const double> ring_stiffness,
+                           std::span<const Vec3d> position) {
+  double energy = 0.0;
+  for_each_ring(memory.rings, [&](std::size_t ring, std::size_t vertex, auto neighbours) {
+    const LocalFrame<double> frame = frame_of(neighbours, position);
+    const Vec3d stretch = frame.centre + target_offset(frame, memory.rest_offset[ring]) - position[vertex];
+    energy += 0.5 * ring_stiffness[ring] * dot(stretch, stretch);
+  });
+  return energy;
+}
+
+ShapeMemory make_shape_memory(const Surface& surface, std::span<const Vec3d> rest,
+                              std::span<const double> stiffness_weight,
+                              std::span<const double> abdominal_share, Reaction reaction) {
+  require_usable(surface);
+  ShapeMemory memory{reaction, ring_table(surface), {}, {}, {}};
+  for_each_ring(memory.rings, [&](std::size_t, std::size_t vertex, auto neighbours) {
+    const LocalFrame<double> frame = frame_of(neighbours, rest);
+    const Vec3d offset = rest[vertex] - frame.centre;
+    memory.rest_offset.emplace_back(dot(offset, frame.u), dot(offset, frame.v), dot(offset, frame.n));
+    memory.stiffness_weight.push_back(stiffness_weight[vertex]);
+    memory.abdominal_share.push_back(abdominal_share[vertex]);
+  });
+  return memory;
+}
+
+}  // namespace trunk

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "anatomy/scenario.hpp"
+
+namespace trunk {
+
+/// A scenario together with where it came from.
+struct ScenarioFile {
+  Scenario scenario;
+  std::string path;
+  std::string text;                          // the file as read
+  std::vector<std::filesystem::path> inputs;  // the file and those it extends, for provenance
+  std::map<std::string, std::string> origin;  // key path -> file:line of the value in force
+
+  /// "file:line" where the key was set, else the file.
+  std::string where(const std::string& key) const;
+};
+
+/// Reads a scenario. `extends = "other.toml"` (relative to the file) is read first and overridden. `settings`
+/// are "key=value" texts as given to --set, applied last. Throws InputError with file, line, what was found
+/// and what was expected on anything that is not understood: TOML syntax, unknown keys, wrong units, numbers
+/// out of range or not finite, a chain of files that extends itself.
+ScenarioFile read_scenario(const std::filesystem::path& path, const std::vector<std::string>& settings = {});
+
+/// Builds the trunk and requires a stable time step. InputErrors name the file and line to change.
+Trunk build_trunk(const ScenarioFile& file);
+
+/// The whole scenario as TOML, every key with its value: reading it gives the same scenario.
+std::string to_toml(const Scenario& scenario);
+
+/// A copy of the file at `from` in which the values of `keys` are those of `scenario`; comments and order stay.
+/// Throws InputError where a key is not set in that file.
+std::string with_values(const std::filesystem::path& from, const std::vector<std::string>& keys,
+                        const Scenario& scenario);
+
+}  // namespace trunk

@@ -1,0 +1,172 @@
+#include "io/scenario_keys.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace trunk {
+namespace {
+
+using Key = ScenarioKey;
+constexpr double mm = 1e-3, ml = 1e-6, ms = 1e-3, one = 1.0;
+
+std::vector<Key> make_keys() {
+  const auto number = [](auto path, auto unit, double to_si, double low, double high, auto field, auto meaning) {
+    return Key{path, meaning, Key::Number{unit, to_si, low, high, field}};
+  };
+  return {
+      {"title", "what this scenario is", Key::Text{[](Scenario& s) -> std::string& { return s.title; }}},
+
+      number("geometry.half_width_mm", "mm", mm, 50, 400,
+             [](Scenario& s) -> double& { return s.geometry.half_width; },
+             "transverse half-axis of the trunk at the zone of apposition"),
+      number("geometry.half_depth_mm", "mm", mm, 30, 300,
+             [](Scenario& s) -> double& { return s.geometry.half_depth; },
+             "antero-posterior half-axis of the trunk"),
+      number("geometry.abdomen_height_mm", "mm", mm, 50, 600,
+             [](Scenario& s) -> double& { return s.geometry.abdomen_height; },
+             "pelvic floor to costal insertion"),
+      number("geometry.apposition_length_mm", "mm", mm, 20, 400,
+             [](Scenario& s) -> double& { return s.geometry.apposition_length; },
+             "costal insertion to top of the zone of apposition"),
+      number("geometry.dome_height_right_mm", "mm", mm, 5, 300,
+             [](Scenario& s) -> double& { return s.geometry.dome_height_right; },
+             "top of the zone of apposition to the right dome"),
+      number("geometry.dome_height_left_mm", "mm", mm, 5, 300,
+             [](Scenario& s) -> double& { return s.geometry.dome_height_left; },
+             "top of the zone of apposition to the left dome"),
+      number("geometry.end_expiratory_volume_ml", "ml", ml, 200, 20000,
+             [](Scenario& s) -> double& { return s.geometry.end_expiratory_volume; },
+             "lung volume at rest; sets the height of the lung"),
+
+      number("parameters.k_elasticity_N_per_m", "N_per_m", one, 1e-3, 1e7,
+             [](Scenario& s) -> double& { return s.parameters.elasticity; },
+             "stiffness of every shape-memory actuator"),
+      number("parameters.k_muscle_N_per_m", "N_per_m", one, 0, 1e7,
+             [](Scenario& s) -> double& { return s.parameters.muscle; },
+             "stiffness of every muscle fibre at full activation"),
+      number("parameters.damping_N_s_per_m", "N_s_per_m", one, 0, 1e5,
+             [](Scenario& s) -> double& { return s.parameters.damping; }, "viscous damping of a particle"),
+      number("parameters.abdomen_stiffness_factor", "", one, 0, 1e4,
+             [](Scenario& s) -> double& { return s.parameters.abdomen_factor; },
+             "abdominal wall over diaphragm muscle"),
+
+      number("tissue.particle_mass_kg", "kg", one, 1e-6, 100,
+             [](Scenario& s) -> double& { return s.tissue.particle_mass; }, "mass of every particle"),
+      number("tissue.tendon_stiffness_factor", "", one, 0, 1e4,
+             [](Scenario& s) -> double& { return s.tissue.tendon_factor; },
+             "central tendon over diaphragm muscle"),
+      {"tissue.reaction", "how shape-memory forces are balanced by the neighbours",
+       Key::Choice{{"variational", "published"},
+                   [](Scenario& s, int i) { s.reaction = static_cast<Reaction>(i); },
+                   [](const Scenario& s) { return static_cast<int>(s.reaction); }}},
+      {"tissue.fibres", "where the muscle fibres end; they begin at the costal insertion",
+       Key::Choice{{"tendon_border", "apposition_top"},
+                   [](Scenario& s, int i) { s.tissue.fibre_end = static_cast<FibreEnd>(i); },
+                   [](const Scenario& s) { return static_cast<int>(s.tissue.fibre_end); }}},
+      {"tissue.ribs", "rib cage: costal insertion held, zone of apposition kept inside",
+       Key::Switch{[](Scenario& s) -> bool& { return s.tissue.ribs; }}},
+
+      {"paralysis.side", "hemidiaphragm whose fibres are off",
+       Key::Choice{{"none", "right", "left", "both"},
+                   [](Scenario& s, int i) { s.tissue.paralysed = static_cast<Side>(i); },
+                   [](const Scenario& s) { return static_cast<int>(s.tissue.paralysed); }}},
+      number("paralysis.stiffness_factor", "", one, 0, 100,
+             [](Scenario& s) -> double& { return s.tissue.paralysed_stiffness; },
+             "elasticity left in the paralysed half, over the healthy one"),
+
+      number("activation.onset_s", "s", one, 0, 60,
+             [](Scenario& s) -> double& { return s.activation.onset_s; }, "start of the contraction"),
+      number("activation.rise_s", "s", one, 1e-3, 60,
+             [](Scenario& s) -> double& { return s.activation.rise_s; }, "linear rise to 1"),
+      number("activation.fast_fall_s", "s", one, 1e-3, 60,
+             [](Scenario& s) -> double& { return s.activation.fast_fall_s; }, "the paper's important decrease"),
+      number("activation.fast_fall_level", "", one, 0, 1,
+             [](Scenario& s) -> double& { return s.activation.fast_fall_level; },
+             "activation at the end of the fast fall"),
+      number("activation.slow_fall_s", "s", one, 1e-3, 60,
+             [](Scenario& s) -> double& { return s.activation.slow_fall_s; },
+             "the paper's normal decrease, to 0"),
+      number("activation.period_s", "s", one, 0, 600,
+             [](Scenario& s) -> double& { return s.activation.period_s; },
+             "the pattern repeats after this; 0: once"),
+
+      number("time.duration_s", "s", one, 1e-3, 3600,
+             [](Scenario& s) -> double& { return s.time.duration_s; }, "how long to simulate"),
+      number("time.dt_ms", "ms", ms, 1e-4, 1000, [](Scenario& s) -> double& { return s.time.dt_s; },
+             "time step"),
+      number("time.frame_every_ms", "ms", ms, 1e-4, 1e6,
+             [](Scenario& s) -> double& { return s.frame_every_s; }, "between stored frames"),
+  };
+}
+
+/// The name without its unit: geometry.half_width_mm -> geometry.half_width.
+std::string_view stem(std::string_view path) {
+  static constexpr std::string_view units[] = {"_N_s_per_m", "_N_per_m", "_N_s_m", "_N_m", "_kN_per_m", "_mm",
+                                               "_cm",        "_m",       "_ml",    "_l",   "_L",        "_cl",
+                                               "_ms",        "_s",       "_min",   "_kg",  "_g"};
+  for (std::string_view unit : units)
+    if (path.ends_with(unit)) return path.substr(0, path.size() - unit.size());
+  return path;
+}
+
+std::size_t edits_between(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t above = row[j];
+      row[j] = std::min({row[j] + 1, row[j - 1] + 1, diagonal + (a[i - 1] == b[j - 1] ? 0 : 1)});
+      diagonal = above;
+    }
+  }
+  return row.back();
+}
+
+}  // namespace
+
+std::span<const ScenarioKey> scenario_keys() {
+  static const std::vector<Key> keys = make_keys();
+  return keys;
+}
+
+std::string expectation(const ScenarioKey& key) {
+  if (const auto* n = std::get_if<Key::Number>(&key.kind))
+    return fmt::format("a number{}{}, {:g} to {:g}", n->unit.empty() ? "" : " of ", n->unit, n->low, n->high);
+  if (const auto* c = std::get_if<Key::Choice>(&key.kind))
+    return fmt::format("one of \"{}\"", fmt::join(c->names, "\", \""));
+  return std::holds_alternative<Key::Switch>(key.kind) ? "true or false" : "a text in quotes";
+}
+
+std::string nearest_key(std::string_view unknown) {
+  const std::size_t tolerated = 3;
+  std::string_view nearest;
+  std::size_t fewest = tolerated + 1;
+  for (const Key& key : scenario_keys()) {
+    if (stem(key.path) == stem(unknown)) return std::string(key.path);
+    const std::size_t edits = edits_between(unknown, key.path);
+    if (edits < fewest) {
+      fewest = edits;
+      nearest = key.path;
+    }
+  }
+  return std::string(nearest);
+}
+
+std::string toml_value(const ScenarioKey& key, const Scenario& scenario) {
+  Scenario& s = const_cast<Scenario&>(scenario);  // the accessors serve reading and writing
+  if (const auto* n = std::get_if<Key::Number>(&key.kind)) return fmt::format("{}", n->field(s) / n->to_si);
+  if (const auto* c = std::get_if<Key::Choice>(&key.kind))
+    return fmt::format("\"{}\"", c->names[static_cast<std::size_t>(c->get(scenario))]);
+  if (const auto* b = std::get_if<Key::Switch>(&key.kind)) return b->field(s) ? "true" : "false";
+  std::string quoted = "\"";
+  for (char ch : std::get<Key::Text>(key.kind).field(s)) {
+    if (ch == '"' || ch == '\\') quoted += '\\';
+    quoted += ch;
+  }
+  return quoted + "\"";
+}
+
+}  // namespace trunk

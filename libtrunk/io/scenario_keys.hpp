@@ -1,0 +1,51 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "anatomy/scenario.hpp"
+
+namespace trunk {
+
+/// One key of a scenario file. The table of keys is the only place that knows their names, units and limits:
+/// reading, writing, `--set`, help and messages all go through it.
+struct ScenarioKey {
+  struct Number {
+    std::string_view unit;  // as in the key's name
+    double to_si;           // SI value = file value * to_si
+    double low, high;       // allowed, in the file's unit
+    double& (*field)(Scenario&);
+  };
+  struct Choice {
+    std::vector<std::string_view> names;
+    void (*set)(Scenario&, int);
+    int (*get)(const Scenario&);
+  };
+  struct Switch {
+    bool& (*field)(Scenario&);
+  };
+  struct Text {
+    std::string& (*field)(Scenario&);
+  };
+
+  std::string_view path;  // table.key
+  std::string_view meaning;
+  std::variant<Number, Choice, Switch, Text> kind;
+};
+
+std::span<const ScenarioKey> scenario_keys();
+
+/// What a key's value should look like, in words: "a number of mm, 50 to 400".
+std::string expectation(const ScenarioKey& key);
+
+/// The known path nearest to an unknown one: the same name with another unit, else the fewest edits; empty
+/// where nothing is near.
+std::string nearest_key(std::string_view unknown);
+
+/// A value in the file's unit, or the name of a choice, as TOML text.
+std::string toml_value(const ScenarioKey& key, const Scenario& scenario);
+
+}  // namespace trunk

@@ -1,0 +1,122 @@
+#pragma once
+
+#include "math/scalar.hpp"
+
+namespace trunk {
+
+/// A point, displacement, velocity or force. Axes are right-anterior-superior (RAS): +x to the subject's
+/// right, +y forward, +z up.
+template <Scalar S>
+class Vec3 {
+ public:
+  constexpr Vec3() noexcept : x_(0.0), y_(0.0), z_(0.0) {}
+  constexpr Vec3(const S& x, const S& y, const S& z) noexcept : x_(x), y_(y), z_(z) {}
+
+  constexpr S x() const noexcept { return x_; }
+  constexpr S y() const noexcept { return y_; }
+  constexpr S z() const noexcept { return z_; }
+
+  friend constexpr Vec3 operator+(const Vec3& a, const Vec3& b) noexcept {
+    return {a.x_ + b.x_, a.y_ + b.y_, a.z_ + b.z_};
+  }
+  friend constexpr Vec3 operator-(const Vec3& a, const Vec3& b) noexcept {
+    return {a.x_ - b.x_, a.y_ - b.y_, a.z_ - b.z_};
+  }
+  friend constexpr Vec3 operator*(const S& k, const Vec3& a) noexcept {
+    return {k * a.x_, k * a.y_, k * a.z_};
+  }
+  /// Component by component.
+  friend constexpr Vec3 hadamard(const Vec3& a, const Vec3& b) noexcept {
+    return {a.x_ * b.x_, a.y_ * b.y_, a.z_ * b.z_};
+  }
+  /// (y, z, x).
+  friend constexpr Vec3 turned(const Vec3& a) noexcept { return {a.y_, a.z_, a.x_}; }
+
+ private:
+  S x_, y_, z_;
+};
+
+#if defined(__GNUC__)
+/// The same in one 4-wide register (x, y, z, 0): every operation rounds as in the general form.
+template <>
+class Vec3<double> {
+ public:
+  constexpr Vec3() noexcept : xyz0_{0.0, 0.0, 0.0, 0.0} {}
+  constexpr Vec3(double x, double y, double z) noexcept : xyz0_{x, y, z, 0.0} {}
+
+  constexpr double x() const noexcept { return xyz0_[0]; }
+  constexpr double y() const noexcept { return xyz0_[1]; }
+  constexpr double z() const noexcept { return xyz0_[2]; }
+
+  friend constexpr Vec3 operator+(const Vec3& a, const Vec3& b) noexcept { return Vec3(a.xyz0_ + b.xyz0_); }
+  friend constexpr Vec3 operator-(const Vec3& a, const Vec3& b) noexcept { return Vec3(a.xyz0_ - b.xyz0_); }
+  friend constexpr Vec3 operator*(double k, const Vec3& a) noexcept { return Vec3(k * a.xyz0_); }
+  friend constexpr Vec3 hadamard(const Vec3& a, const Vec3& b) noexcept { return Vec3(a.xyz0_ * b.xyz0_); }
+  friend constexpr Vec3 turned(const Vec3& a) noexcept {
+    return Vec3(__builtin_shufflevector(a.xyz0_, a.xyz0_, 1, 2, 0, 3));
+  }
+
+ private:
+  typedef double Register __attribute__((vector_size(4 * sizeof(double))));
+  constexpr explicit Vec3(Register r) noexcept : xyz0_(r) {}
+  Register xyz0_;
+};
+#endif
+
+using Vec3d = Vec3<double>;
+
+template <Scalar S>
+constexpr Vec3<S>& operator+=(Vec3<S>& a, const Vec3<S>& b) noexcept {
+  return a = a + b;
+}
+template <Scalar S>
+constexpr Vec3<S>& operator-=(Vec3<S>& a, const Vec3<S>& b) noexcept {
+  return a = a - b;
+}
+
+template <Scalar S>
+constexpr S dot(const Vec3<S>& a, const Vec3<S>& b) noexcept {
+  const Vec3<S> p = hadamard(a, b);
+  return p.x() + p.y() + p.z();
+}
+
+/// a x b = turned(unturned_cross(a, b)): a sum of cross products is turned once, at its end.
+template <Scalar S>
+constexpr Vec3<S> unturned_cross(const Vec3<S>& a, const Vec3<S>& b) noexcept {
+  return hadamard(a, turned(b)) - hadamard(turned(a), b);
+}
+template <Scalar S>
+constexpr Vec3<S> cross(const Vec3<S>& a, const Vec3<S>& b) noexcept {
+  return turned(unturned_cross(a, b));
+}
+
+template <Scalar S>
+S norm(const Vec3<S>& a) noexcept {
+  using std::sqrt;
+  return sqrt(dot(a, a));
+}
+
+/// a where the mask holds, b elsewhere.
+template <Scalar S>
+constexpr Vec3<S> select(const Mask<S>& mask, const Vec3<S>& a, const Vec3<S>& b) noexcept {
+  return {select(mask, a.x(), b.x()), select(mask, a.y(), b.y()), select(mask, a.z(), b.z())};
+}
+constexpr Vec3d select(bool mask, const Vec3d& a, const Vec3d& b) noexcept { return mask ? a : b; }
+
+/// A constant of the model as a value of the kernel's scalar.
+template <Scalar S>
+constexpr Vec3<S> lift(const Vec3d& a) noexcept {
+  return {S(a.x()), S(a.y()), S(a.z())};
+}
+template <>
+constexpr Vec3d lift<double>(const Vec3d& a) noexcept {
+  return a;
+}
+
+/// A vector of the kernel, component by component times a constant of the model: held axes have weight 0.
+template <Scalar S>
+constexpr Vec3<S> scaled(const Vec3d& weight, const Vec3<S>& a) noexcept {
+  return hadamard(lift<S>(weight), a);
+}
+
+}  // namespace trunk

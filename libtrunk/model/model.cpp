@@ -1,0 +1,81 @@
+#include "model/model.hpp"
+
+#include <fmt/format.h>
+
+#include "errors/input_error.hpp"
+
+namespace trunk {
+namespace {
+
+void require(bool condition, const std::string& text) {
+  if (!condition) throw InputError(text);
+}
+
+bool finite(const Vec3d& a) { return std::isfinite(a.x()) && std::isfinite(a.y()) && std::isfinite(a.z()); }
+
+void require_particles(const Model& m) {
+  const std::size_t n = m.particles();
+  require(n > 0, "the model has no particle");
+  require(m.mass.size() == n && m.damping_weight.size() == n && m.mobility.size() == n,
+          fmt::format("the model has {} positions, {} masses, {} damping weights and {} mobilities; expected "
+                      "one of each a particle",
+                      n, m.mass.size(), m.damping_weight.size(), m.mobility.size()));
+  for (std::size_t i = 0; i < n; ++i) {
+    require(finite(m.rest[i]), fmt::format("particle {}: its rest position is not finite", i));
+    require(std::isfinite(m.mass[i]) && m.mass[i] > 0,
+            fmt::format("particle {}: found a mass of {} kg, expected more than 0", i, m.mass[i]));
+    require(std::isfinite(m.damping_weight[i]) && m.damping_weight[i] >= 0,
+            fmt::format("particle {}: found a damping weight of {}, expected 0 or more", i,
+                        m.damping_weight[i]));
+  }
+}
+
+void require_shape_memory(const Model& m) {
+  const ShapeMemory& s = m.shape_memory;
+  const std::size_t rings = s.rings.size();
+  require(s.rest_offset.size() == rings && s.stiffness_weight.size() == rings &&
+              s.abdominal_share.size() == rings,
+          "the shape memory's arrays differ in length");
+  for (std::size_t r = 0; r < rings; ++r) {
+    require(finite(s.rest_offset[r]),
+            fmt::format("particle {}: its neighbours enclose no area, so it has no local frame; expected a "
+                        "surface without flat or repeated triangles",
+                        s.rings.vertex[r]));
+    require(std::isfinite(s.stiffness_weight[r]) && s.stiffness_weight[r] >= 0,
+            fmt::format("particle {}: found a stiffness factor of {}, expected 0 or more", s.rings.vertex[r],
+                        s.stiffness_weight[r]));
+  }
+}
+
+void require_references(const Model& m) {
+  const auto exists = [&](int i) { return i >= 0 && static_cast<std::size_t>(i) < m.particles(); };
+  for (const Fibre& f : m.fibres) {
+    require(exists(f.insertion) && exists(f.origin) && f.insertion != f.origin,
+            fmt::format("fibre {}-{}: expected two different particles that exist", f.insertion, f.origin));
+    require(f.activity >= 0 && f.activity <= 1,
+            fmt::format("fibre {}-{}: found an activity of {}, expected 0 to 1", f.insertion, f.origin,
+                        f.activity));
+  }
+  for (const Support& s : m.supports) require(exists(s.particle), "a rib support has no particle");
+  for (const FocalForce& f : m.focal_forces)
+    require(exists(f.particle), fmt::format("a force acts on particle {}, which does not exist", f.particle));
+  for (const ImposedDisplacement& d : m.imposed_displacements)
+    require(exists(d.particle),
+            fmt::format("a displacement acts on particle {}, which does not exist", d.particle));
+}
+
+}  // namespace
+
+void require_valid(const Model& model) {
+  require_particles(model);
+  require_shape_memory(model);
+  require_references(model);
+  require(model.abdomen.rest > 0,
+          fmt::format("the abdominal compartment encloses {} m3 at rest; expected a positive volume "
+                      "(triangles counter-clockwise seen from outside)",
+                      model.abdomen.rest));
+  const double lung = enclosed_volume<double>(model.lung, model.rest);
+  require(lung > 0, fmt::format("the lung encloses {} m3 at rest; expected a positive volume", lung));
+}
+
+}  // namespace trunk
