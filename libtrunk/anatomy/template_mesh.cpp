@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
 
 #include "errors/input_error.hpp"
 #include "mesh/volume.hpp"
@@ -135,6 +137,16 @@ void size_lung(const TrunkGeometry& geometry, double base_z, TemplateMesh& m) {
 }
 
 }  // namespace
+
+std::size_t TemplateMesh::distinct_triangles() const {
+  std::set<Triangle> distinct;
+  for (const auto* surface : {&abdomen, &lung})
+    for (Triangle t : *surface) {
+      std::sort(t.begin(), t.end());
+      distinct.insert(t);
+    }
+  return distinct.size();
+}
 
 TemplateMesh make_template_mesh(const TrunkGeometry& g) {
   TemplateMesh m;

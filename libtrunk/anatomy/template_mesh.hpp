@@ -25,6 +25,9 @@ struct TemplateMesh {
   std::vector<Triangle> abdomen;  // closed, outward: diaphragm, abdominal wall, pelvic floor
   std::vector<Triangle> lung;     // closed, outward: dome and lung wall
 
+  /// The dome's triangles belong to both surfaces.
+  std::size_t distinct_triangles() const;
+
   std::vector<const Level*> levels() const {
     return {&pelvic_floor,     &pelvis,         &abdominal_wall_low, &abdominal_wall_high, &costal_insertion,
             &apposition_middle, &apposition_top, &tendon_border,      &dome_top,            &dome_saddle,

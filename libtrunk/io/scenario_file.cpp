@@ -4,17 +4,17 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
-#include <fstream>
 #include <sstream>
 
 #include "errors/input_error.hpp"
 #include "io/scenario_keys.hpp"
+#include "io/text_file.hpp"
 
 namespace trunk {
 namespace {
 
 constexpr std::string_view schema = "trunk.scenario/1";
-constexpr std::uintmax_t largest_file = 10'000'000;
+constexpr std::size_t largest_file = 10'000'000;
 
 struct Place {
   std::string file;
@@ -29,18 +29,6 @@ std::string shown(const toml::node& node) {
   std::string text = out.str();
   std::replace(text.begin(), text.end(), '\n', ' ');
   return text.size() > 60 ? text.substr(0, 57) + "..." : text;
-}
-
-std::string read_text(const std::filesystem::path& path) {
-  std::error_code error;
-  if (!std::filesystem::exists(path, error)) throw InputError(path.string(), 0, "no such file");
-  if (std::filesystem::is_directory(path, error))
-    throw InputError(path.string(), 0, "is a folder, expected a scenario file (TOML)");
-  if (std::filesystem::file_size(path, error) > largest_file && !error)
-    throw InputError(path.string(), 0, "is over 10 MB, expected a scenario file (TOML)");
-  std::ifstream in(path, std::ios::binary);
-  if (!in) throw InputError(path.string(), 0, "cannot be read; check its permissions");
-  return {std::istreambuf_iterator<char>(in), {}};
 }
 
 toml::table parse(const std::string& text, const std::string& file) {
@@ -141,7 +129,7 @@ class Reader {
 
   void read(const std::filesystem::path& path, int depth) {
     const std::string name = path.string();
-    const std::string text = read_text(path);
+    const std::string text = read_text_file(path, largest_file);
     if (depth == 0) file_.text = text;
     file_.inputs.push_back(path);
     const toml::table root = parse(text, name);

@@ -1,0 +1,122 @@
+#include "breaths/mean_breath.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "breaths/knot_line.hpp"
+#include "breaths/robust.hpp"
+#include "errors/input_error.hpp"
+
+namespace trunk {
+namespace {
+
+constexpr double least_sigma = 0.01;  // of the tidal volume
+constexpr std::size_t enough_for_deviation = 3;
+
+using Breaths = std::vector<Breath>;
+
+void check_samples(const Segmentation& segmentation, int samples) {
+  if (samples >= 3) return;
+  throw InputError(
+      segmentation.source, 0,
+      std::to_string(samples) + " samples a breath asked for; expected 3 or more; ask for about 200");
+}
+
+MeasuredBreath mean_timing(const Breaths& used) {
+  MeasuredBreath mean;
+  const auto n = static_cast<double>(used.size());
+  for (const auto& breath : used) {
+    mean.inspiration_s += (breath.peak_s - breath.onset_s) / n;
+    mean.duration_s += (breath.end_s - breath.onset_s) / n;
+    mean.tidal_volume_m3 += breath.tidal_volume_m3 / n;
+  }
+  return mean;
+}
+
+std::vector<double> even_grid(double end, int samples) {
+  std::vector<double> grid;
+  for (int i = 0; i + 1 < samples; ++i) grid.push_back(end * i / (samples - 1));
+  grid.push_back(end);  // exactly, whatever the rounding
+  return grid;
+}
+
+// The time in a breath that corresponds to time t of the mean: the same part of the same phase.
+double time_in(const Breath& breath, const MeasuredBreath& mean, double t) {
+  if (t <= mean.inspiration_s)
+    return breath.onset_s + (breath.peak_s - breath.onset_s) * t / mean.inspiration_s;
+  const double part = (t - mean.inspiration_s) / (mean.duration_s - mean.inspiration_s);
+  return breath.peak_s + (breath.end_s - breath.peak_s) * part;
+}
+
+double mean_of(const std::vector<double>& values) {
+  double sum = 0;
+  for (const double value : values) sum += value;
+  return sum / static_cast<double>(values.size());
+}
+
+double deviation_of(const std::vector<double>& values) {
+  const double mean = mean_of(values);
+  double sum = 0;
+  for (const double value : values) sum += (value - mean) * (value - mean);
+  return std::sqrt(sum / static_cast<double>(values.size() - 1));
+}
+
+// The signal of every breath at time t of the mean.
+std::vector<double> values_at(const Segmentation& segmentation, const std::vector<double>& signal,
+                              const Breaths& used, const MeasuredBreath& mean, double t) {
+  std::vector<double> values;
+  for (const auto& breath : used)
+    values.push_back(interpolated(segmentation.time_s, signal, time_in(breath, mean, t)));
+  return values;
+}
+
+double sigma_at(const Segmentation& segmentation, const Breaths& used, const MeasuredBreath& mean, double t,
+                const std::vector<double>& volumes, double noise) {
+  const bool given = !segmentation.sigma_m3.empty();
+  double sigma = used.size() >= enough_for_deviation ? deviation_of(volumes) : given ? 0 : noise;
+  if (given) sigma = std::max(sigma, mean_of(values_at(segmentation, segmentation.sigma_m3, used, mean, t)));
+  return std::max(sigma, least_sigma * mean.tidal_volume_m3);
+}
+
+MeasuredBreath averaged(const Segmentation& segmentation, const Breaths& used, int samples) {
+  MeasuredBreath mean = mean_timing(used);
+  mean.time_s = even_grid(mean.duration_s, samples);
+  const double noise = noise_deviation(segmentation.volume_m3);
+  for (const double t : mean.time_s) {
+    const auto volumes = values_at(segmentation, segmentation.volume_m3, used, mean, t);
+    mean.volume_m3.push_back(mean_of(volumes));
+    mean.sigma_m3.push_back(sigma_at(segmentation, used, mean, t, volumes, noise));
+  }
+  // Zero by definition of the base line; a single sample there holds noise.
+  mean.volume_m3.front() = mean.volume_m3.back() = 0;
+  mean.breaths_used = static_cast<int>(used.size());
+  return mean;
+}
+
+}  // namespace
+
+MeasuredBreath mean_breath(const Segmentation& segmentation, int samples) {
+  check_samples(segmentation, samples);
+  Breaths kept;
+  for (const auto& breath : segmentation.breaths)
+    if (breath.kept) kept.push_back(breath);
+  if (kept.empty())
+    throw InputError(
+        segmentation.source, 0,
+        "no breath is kept; expected one or more; choose a breath by its number or another recording");
+  MeasuredBreath mean = averaged(segmentation, kept, samples);
+  mean.breaths_rejected = static_cast<int>(segmentation.breaths.size() - kept.size());
+  return mean;
+}
+
+MeasuredBreath single_breath(const Segmentation& segmentation, std::size_t number, int samples) {
+  check_samples(segmentation, samples);
+  const std::size_t count = segmentation.breaths.size();
+  if (number < 1 || number > count)
+    throw InputError(segmentation.source, 0,
+                     "breath " + std::to_string(number) + " asked for; expected 1 to " +
+                         std::to_string(count) + ", the whole breaths found; choose one of them");
+  return averaged(segmentation, {segmentation.breaths[number - 1]}, samples);
+}
+
+}  // namespace trunk

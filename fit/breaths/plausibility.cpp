@@ -1,0 +1,74 @@
+#include "breaths/plausibility.hpp"
+
+#include <array>
+#include <cmath>
+#include <string>
+#include <string_view>
+
+#include "errors/input_error.hpp"
+#include "io/message_text.hpp"
+
+namespace trunk {
+namespace {
+
+struct Range {
+  double low, high, usual;
+  bool holds(double value) const { return value >= low && value <= high; }
+};
+
+constexpr Range period_s{0.8, 30, 4};
+constexpr Range tidal_volume_ml{30, 6000, 500};
+
+struct Unit {
+  std::string_view name, words;
+  double size;  // in SI
+};
+
+constexpr std::array time_units{Unit{"s", "seconds", 1}, Unit{"ms", "milliseconds", 1e-3},
+                                Unit{"min", "minutes", 60}};
+constexpr std::array volume_units{Unit{"ml", "millilitres", 1e-6}, Unit{"L", "litres", 1e-3}};
+constexpr std::array flow_units{Unit{"L_s", "litres per second", 1e-3},
+                                Unit{"L_min", "litres per minute", 1e-3 / 60},
+                                Unit{"ml_s", "millilitres per second", 1e-6}};
+
+// The unit which, read in place of `used`, brings `found` nearest to what is usual: a sentence, or "".
+template <class Units>
+std::string better_unit(const Units& units, std::string_view base, std::string_view used, double found,
+                        const Range& range) {
+  const Unit* from = nullptr;
+  for (const Unit& unit : units)
+    if (unit.name == used) from = &unit;
+  if (from == nullptr) return "";
+  const Unit* best = nullptr;
+  const auto corrected = [&](const Unit& unit) { return found * unit.size / from->size; };
+  const auto distance = [&](const Unit& unit) { return std::abs(std::log(corrected(unit) / range.usual)); };
+  for (const Unit& unit : units)
+    if (range.holds(corrected(unit)) && (best == nullptr || distance(unit) < distance(*best))) best = &unit;
+  if (best == nullptr) return "";
+  return "the column named in " + std::string(from->words) + " may hold " + std::string(best->words) +
+         ": name it " + std::string(base) + "_" + std::string(best->name);
+}
+
+}  // namespace
+
+void check_plausible(const Trace& trace, double median_period_s, double median_tidal_volume_m3) {
+  if (!period_s.holds(median_period_s)) {
+    const auto hint = better_unit(time_units, "time", trace.time_unit, median_period_s, period_s);
+    throw InputError(trace.source, 0,
+                     "the breaths found last " + number_text(median_period_s) +
+                         " s in the median; expected 0.8 to 30 s; " +
+                         (hint.empty() ? "check the unit of time and that the signal is breathing" : hint));
+  }
+  const double found_ml = median_tidal_volume_m3 * 1e6;
+  if (tidal_volume_ml.holds(found_ml)) return;
+  const bool flow = trace.kind == SignalKind::flow;
+  const auto hint = flow ? better_unit(flow_units, "flow", trace.value_unit, found_ml, tidal_volume_ml)
+                         : better_unit(volume_units, "volume", trace.value_unit, found_ml, tidal_volume_ml);
+  throw InputError(
+      trace.source, 0,
+      "the breaths found have a tidal volume of " + number_text(found_ml) +
+          " ml in the median; expected 30 to 6000 ml; " +
+          (hint.empty() ? "check the unit, the calibration and that the signal is breathing" : hint));
+}
+
+}  // namespace trunk

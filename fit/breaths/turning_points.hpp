@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace trunk {
+
+/// A place where a signal turns by more than noise.
+struct TurningPoint {
+  std::size_t index;  ///< sample
+  bool peak;          ///< a maximum; else a trough
+};
+
+/// Alternating maxima and minima, each at least `threshold` from the next (a zigzag with hysteresis). The
+/// first and the last are extremes towards the ends of the record and may be its very first or last sample.
+/// Fewer than two when the signal never moves by `threshold`.
+std::vector<TurningPoint> turning_points(std::span<const double> signal, double threshold);
+
+/// Turning points of breathing, the threshold at 0.3 of the median rise (our choice: a rise of under a third
+/// of a tidal volume is a wiggle of the breath around it). The scale comes from the signal: a first threshold
+/// of 0.3 of the range, which a sigh or a drift may fill, is halved down to about a tenth until two rises are
+/// seen, and then follows the median rise. Knows no unit of time or volume, so that wrong units can be told
+/// from what it finds.
+std::vector<TurningPoint> breath_turning_points(std::span<const double> volume);
+
+}  // namespace trunk

@@ -1,0 +1,129 @@
+#include "breaths/whole_breaths.hpp"
+
+#include <algorithm>
+
+#include "breaths/robust.hpp"
+#include "breaths/turning_points.hpp"
+
+namespace trunk {
+namespace {
+
+constexpr double rest_tolerance = 0.1;  // of a height
+constexpr std::size_t many_breaths = 4;
+
+using Samples = std::span<const double>;
+using Turns = std::vector<TurningPoint>;
+
+std::vector<double> without_line(Samples time, Samples volume) {
+  const auto n = static_cast<double>(time.size());
+  double mean_time = 0, mean_volume = 0, covariance = 0, variance = 0;
+  for (std::size_t i = 0; i < time.size(); ++i) {
+    mean_time += time[i] / n;
+    mean_volume += volume[i] / n;
+  }
+  for (std::size_t i = 0; i < time.size(); ++i) {
+    covariance += (time[i] - mean_time) * (volume[i] - mean_volume);
+    variance += (time[i] - mean_time) * (time[i] - mean_time);
+  }
+  std::vector<double> remainder(volume.begin(), volume.end());
+  for (std::size_t i = 0; i < time.size(); ++i) remainder[i] -= covariance / variance * (time[i] - mean_time);
+  return remainder;
+}
+
+// Averaged only as far as the noise asks for: 8 deviations (a noise from top to bottom) within a tenth of the
+// range.
+std::vector<double> averaged_for_turns(Samples volume) {
+  const auto [low, high] = std::minmax_element(volume.begin(), volume.end());
+  const double allowed = 0.1 * (*high - *low) / 8;
+  return moving_average(volume, averaging_width(noise_deviation(volume), allowed, volume.size() / 100));
+}
+
+std::vector<double> rises(Samples volume, const Turns& turns) {
+  std::vector<double> found;
+  for (std::size_t k = 1; k < turns.size(); ++k)
+    if (turns[k].peak) found.push_back(volume[turns[k].index] - volume[turns[k - 1].index]);
+  return found;
+}
+
+struct Found {
+  Turns turns;
+  std::vector<double> heights;
+};
+
+Found turns_in(const std::vector<double>& level) {
+  Turns turns = breath_turning_points(level);
+  auto heights = rises(level, turns);
+  return {std::move(turns), std::move(heights)};
+}
+
+// A line through many breaths shows their drift; through a few it shows where the record cuts them.
+Found turns_of(Samples time, Samples volume) {
+  auto found = turns_in(averaged_for_turns(without_line(time, volume)));
+  return found.heights.size() >= many_breaths ? found : turns_in(averaged_for_turns(volume));
+}
+
+// Troughs between two peaks are rests.
+std::vector<std::size_t> inner_troughs(const Turns& turns) {
+  std::vector<std::size_t> inner;
+  for (std::size_t k = 1; k + 1 < turns.size(); ++k)
+    if (!turns[k].peak) inner.push_back(turns[k].index);
+  return inner;
+}
+
+double drift_through(Samples time, Samples volume, const std::vector<std::size_t>& troughs) {
+  std::vector<double> slopes;
+  for (std::size_t i = 1; i < troughs.size(); ++i)
+    slopes.push_back((volume[troughs[i]] - volume[troughs[i - 1]]) /
+                     (time[troughs[i]] - time[troughs[i - 1]]));
+  return median(std::move(slopes));
+}
+
+// From one sample to another, drift aside.
+double rise_between(Samples time, Samples volume, const WholeBreaths& found, std::size_t from,
+                    std::size_t to) {
+  return volume[to] - volume[from] - found.drift * (time[to] - time[from]);
+}
+
+// The first and the last turn are rests only at the level of the nearest other rest.
+void drop_cut_breaths(Samples time, Samples volume, const std::vector<std::size_t>& inner,
+                      const WholeBreaths& found, Turns& turns) {
+  const auto at_rest = [&](std::size_t sample, std::size_t other) {
+    return rise_between(time, volume, found, other, sample) <= rest_tolerance * found.height;
+  };
+  const std::size_t first = turns.front().index, last = turns.back().index;
+  const bool first_cut = turns.front().peak || !at_rest(first, inner.empty() ? last : inner.front());
+  const bool last_cut = turns.back().peak || !at_rest(last, inner.empty() ? first : inner.back());
+  if (last_cut) turns.pop_back();
+  if (first_cut) turns.erase(turns.begin());
+  if (!turns.empty() && turns.front().peak) turns.erase(turns.begin());
+  if (!turns.empty() && turns.back().peak) turns.pop_back();
+}
+
+// A last expiration ends with the record, unless the next inspiration is already seen.
+void extend_to_end(Samples time, Samples volume, const WholeBreaths& found, Turns& turns) {
+  const std::size_t end = volume.size() - 1;
+  if (rise_between(time, volume, found, turns.back().index, end) <= rest_tolerance * found.height)
+    turns.back().index = end;
+}
+
+}  // namespace
+
+WholeBreaths whole_breaths(Samples time_s, Samples volume_m3) {
+  auto [turns, heights] = turns_of(time_s, volume_m3);
+  WholeBreaths found;
+  found.inspirations = heights.size();
+  if (turns.size() < 3) return found;
+
+  const auto level = averaged_for_turns(volume_m3);
+  const auto inner = inner_troughs(turns);
+  const TurningPoint last = turns.back();
+  found.height = median(heights);
+  found.drift = drift_through(time_s, level, inner);
+  drop_cut_breaths(time_s, level, inner, found, turns);
+  if (turns.size() < 3) return found;
+  if (turns.back().index == last.index) extend_to_end(time_s, level, found, turns);
+  for (const auto& turn : turns) (turn.peak ? found.peak : found.trough).push_back(turn.index);
+  return found;
+}
+
+}  // namespace trunk

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include "commands/output.hpp"
+
+namespace trunk {
+
+/// Each adds one subcommand to the program. When it is chosen, `run` is set to what does its work.
+using Run = std::function<Exit()>;
+void add_simulate(CLI::App& app, Common& common, Run& run);
+void add_check(CLI::App& app, Common& common, Run& run);
+void add_breaths(CLI::App& app, Common& common, Run& run);
+void add_fit(CLI::App& app, Common& common, Run& run);
+void add_sweep(CLI::App& app, Common& common, Run& run);
+void add_status(CLI::App& app, Common& common, Run& run);
+void add_inspect(CLI::App& app, Common& common, Run& run);
+
+}  // namespace trunk

@@ -1,0 +1,63 @@
+#include "commands/output.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <csignal>
+
+namespace trunk {
+namespace {
+
+std::atomic<bool> was_interrupted = false;
+static_assert(std::atomic<bool>::is_always_lock_free);
+bool progress_shown = false;
+
+extern "C" void note_interrupt(int) { was_interrupted = true; }
+
+}  // namespace
+
+Json json_number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+void print_result(const Common& common, const Json& json, const std::string& text) {
+  clear_progress();
+  fmt::print("{}\n", common.json ? json.dump(2) : text);
+}
+
+void print_note(const std::string& text) {
+  clear_progress();
+  fmt::print(stderr, "{}\n", text);
+}
+
+void print_progress(const std::string& text) {
+  if (!isatty(STDERR_FILENO)) return;
+  fmt::print(stderr, "\r\033[K{}", text);
+  std::fflush(stderr);
+  progress_shown = true;
+}
+
+void clear_progress() {
+  if (!progress_shown) return;
+  fmt::print(stderr, "\r\033[K");
+  progress_shown = false;
+}
+
+std::string aligned(const std::vector<NamedValue>& values) {
+  std::size_t width = 0;
+  for (const NamedValue& v : values) width = std::max(width, v.name.size());
+  std::string text;
+  for (const NamedValue& v : values)
+    text += fmt::format("  {:<{}}  {:>10.4g} {}\n", v.name, width, v.value, v.unit == "1" ? "" : v.unit);
+  return text;
+}
+
+void catch_interrupts() {
+  std::signal(SIGINT, &note_interrupt);
+  std::signal(SIGTERM, &note_interrupt);
+}
+
+bool interrupted() { return was_interrupted; }
+
+}  // namespace trunk

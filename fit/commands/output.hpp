@@ -1,0 +1,41 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "results/records.hpp"
+
+namespace trunk {
+
+/// Exit codes of the program.
+enum class Exit { done = 0, bad_input = 2, not_converged = 3, not_identifiable = 4, interrupted = 130 };
+
+using Json = nlohmann::ordered_json;
+
+/// Options every command has.
+struct Common {
+  std::string argv;    // the command line as typed
+  bool json = false;
+  bool force = false;
+};
+
+/// Numbers that are not finite become null.
+Json json_number(double value);
+
+/// Prints one JSON object, or the text, to stdout.
+void print_result(const Common& common, const Json& json, const std::string& text);
+
+/// Notes and progress go to stderr. A progress line is drawn only on a terminal, over itself.
+void print_note(const std::string& text);
+void print_progress(const std::string& text);
+void clear_progress();
+
+/// "name   value unit" lines, aligned.
+std::string aligned(const std::vector<NamedValue>& values);
+
+/// Ctrl-C and SIGTERM set a flag instead of ending the program, from the first call on.
+void catch_interrupts();
+bool interrupted();
+
+}  // namespace trunk

@@ -1,0 +1,70 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "commands/commands.hpp"
+#include "recording/provenance.hpp"
+#include "recording/records.hpp"
+#include "results/summary.hpp"
+#include "results/run_file.hpp"
+#include "results/target_file.hpp"
+
+namespace trunk {
+namespace {
+
+struct Request {
+  std::string scenario, output, parameters_from;
+  std::vector<std::string> settings;
+};
+
+/// Frames that fit in memory and in a file one can mail: 4 GB would be the trunk for a day.
+int frame_stride(const Scenario& s) {
+  return std::max(1, static_cast<int>(std::lround(s.frame_every_s / s.time.dt_s)));
+}
+
+Json summary(const Trunk& trunk, const Scenario& scenario, const BreathRun& run) {
+  Json json{{"schema", "trunk.simulate/1"}, {"status", status_word(run.summary.status)}};
+  for (const NamedValue& v : measures_of(run)) json[v.name] = json_number(v.value);
+  json["particles"] = trunk.model.particles();
+  json["triangles"] = trunk.mesh.distinct_triangles();
+  json["steps"] = run.summary.steps;
+  json["dt_s"] = scenario.time.dt_s;
+  json["wall_s"] = run.wall_s;
+  json["message"] = run.summary.message;
+  return json;
+}
+
+Exit simulate_command(const Common& common, const Request& request) {
+  ScenarioFile file = read_scenario(request.scenario, request.settings);
+  if (!request.parameters_from.empty()) {
+    adopt_parameters(read_parameters(request.parameters_from), file.scenario);
+    file.inputs.push_back(request.parameters_from);
+  }
+  const Trunk trunk = build_trunk(file);
+  require_writable_target(request.output, common.force);
+  const BreathRun run = run_breath(trunk, file.scenario, frame_stride(file.scenario));
+  write_run(request.output, run_record(file, trunk, run, {}, provenance_of(file.inputs, common.argv)));
+
+  const std::string text =
+      fmt::format("{}: {}\n{}  {} particles, {} steps of {:g} ms in {:.1f} ms; written to {}", file.scenario.title,
+                  run.summary.message, aligned(measures_of(run)), trunk.model.particles(), run.summary.steps,
+                  1e3 * file.scenario.time.dt_s, 1e3 * run.wall_s, request.output);
+  print_result(common, summary(trunk, file.scenario, run), text);
+  return run.summary.completed() ? Exit::done : Exit::not_converged;
+}
+
+}  // namespace
+
+void add_simulate(CLI::App& app, Common& common, Run& run) {
+  auto* command = app.add_subcommand("simulate", "Simulate one scenario and keep the whole trajectory");
+  const auto request = std::make_shared<Request>();
+  command->add_option("SCENARIO", request->scenario, "scenario file (TOML)")->required();
+  command->add_option("-o,--output", request->output, "result file (HDF5)")->required();
+  command->add_option("--set", request->settings, "key=value, over the scenario; may be repeated")->take_all();
+  command->add_option("--from", request->parameters_from, "take the parameters of this fit or run (HDF5)");
+  command->add_flag("--json", common.json, "print one JSON object");
+  command->add_flag("--force", common.force, "replace the result file if it exists");
+  command->callback([&common, &run, request] { run = [&common, request] { return simulate_command(common, *request); }; });
+}
+
+}  // namespace trunk

@@ -1,0 +1,68 @@
+#include "compartment/one_compartment.hpp"
+
+#include <gsl/gsl_min.h>
+
+#include <cmath>
+#include <memory>
+
+namespace trunk {
+namespace {
+
+constexpr double step_s = 2e-3;
+
+/// V(t) for unit drive at the target's times, exact for a drive that is constant within a step.
+Eigen::VectorXd unit_response(double rate, const Target& target, const BreathActivation<double>& activation) {
+  const auto steps = static_cast<std::size_t>(std::ceil(target.time_s.back() / step_s)) + 1;
+  const double decay = std::exp(-rate * step_s), gain = (1.0 - decay) / rate;
+  std::vector<double> volume{0.0};
+  for (std::size_t n = 0; n < steps; ++n)
+    volume.push_back(decay * volume.back() + gain * activation((static_cast<double>(n) + 0.5) * step_s));
+  return sampled(volume, step_s, target.time_s);
+}
+
+struct Problem {
+  const Target& target;
+  const BreathActivation<double>& activation;
+
+  OneCompartment at(double rate) const {
+    const Eigen::VectorXd unit = unit_response(rate, target, activation);
+    const Eigen::VectorXd measured =
+        Eigen::VectorXd::Map(target.delta_v.data(), static_cast<Eigen::Index>(target.delta_v.size()));
+    const double drive = unit.dot(measured) / std::max(unit.squaredNorm(), 1e-300);
+    return {drive, rate, (drive * unit - measured).squaredNorm()};
+  }
+};
+
+double residual_sum(double log_rate, void* problem) {
+  return static_cast<const Problem*>(problem)->at(std::exp(log_rate)).residual_sum;
+}
+
+/// The best of a coarse grid of log rates: GSL wants an inner point below both ends of its bracket.
+double best_on_grid(Problem& problem, double low, double high, double spacing) {
+  double best = low, lowest = residual_sum(low, &problem);
+  for (double x = low + spacing; x <= high; x += spacing)
+    if (const double value = residual_sum(x, &problem); value < lowest) {
+      best = x;
+      lowest = value;
+    }
+  return best;
+}
+
+}  // namespace
+
+OneCompartment fit_one_compartment(const Target& target, const BreathActivation<double>& activation) {
+  const double low = std::log(0.05), high = std::log(50.0), spacing = 0.1;
+  Problem problem{target, activation};
+  double best = best_on_grid(problem, low, high, spacing);
+  if (best > low + spacing && best < high - spacing) {
+    gsl_function function{&residual_sum, &problem};
+    const std::unique_ptr<gsl_min_fminimizer, decltype(&gsl_min_fminimizer_free)> search(
+        gsl_min_fminimizer_alloc(gsl_min_fminimizer_goldensection), &gsl_min_fminimizer_free);
+    gsl_min_fminimizer_set(search.get(), &function, best, best - spacing, best + spacing);
+    for (int i = 0; i < 40; ++i) gsl_min_fminimizer_iterate(search.get());
+    best = gsl_min_fminimizer_x_minimum(search.get());
+  }
+  return problem.at(std::exp(best));
+}
+
+}  // namespace trunk

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "estimation/estimate.hpp"
+#include "io/scenario_file.hpp"
+#include "results/records.hpp"
+
+namespace trunk {
+
+inline constexpr double Pa_per_cmH2O = 98.0665;
+
+/// The Table 1 row and what goes with it, in ml, mm and cmH2O, named as in `simulate --json`.
+std::vector<NamedValue> measures_of(const BreathRun& run);
+
+/// Every parameter a fit could vary, natural units.
+std::vector<NamedValue> parameters_of(const Candidate& candidate);
+
+/// Takes over parameters by name, as a run or fit file holds them; the simulation is made to last at least as
+/// long as the activation. Throws InputError on a name that is unknown.
+void adopt_parameters(const std::vector<NamedValue>& parameters, Scenario& scenario);
+
+/// A word for the status of a simulation: "completed", "diverged", "volume_lost".
+std::string status_word(Summary::Status status);
+
+/// `measured` is empty or has the curve a fit was held against, sampled at the run's times.
+RunRecord run_record(const ScenarioFile& file, const Trunk& trunk, const BreathRun& run,
+                     const Target& measured, const Provenance& provenance);
+
+/// `status` is as in `fit --json`. `run` is the breath at the best parameters.
+FitRecord fit_record(const ScenarioFile& file, const Trunk& trunk, const SearchSpace& space, const Target& target,
+                     const MeasuredBreath& breath, const Estimation& estimation, const SearchOptions& options,
+                     const std::string& status, const BreathRun& run, const Provenance& provenance);
+
+}  // namespace trunk

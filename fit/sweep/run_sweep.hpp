@@ -1,0 +1,31 @@
+#pragma once
+
+#include <functional>
+
+#include "sweep/design.hpp"
+#include "sweep/folder.hpp"
+
+namespace trunk {
+
+struct SweepOptions {
+  unsigned threads = 0;  // 0: one a core
+  std::string argv;      // for provenance
+};
+
+struct SweepOutcome {
+  std::size_t runs = 0;
+  std::size_t found = 0;      // finished before, not simulated again
+  std::size_t simulated = 0;  // now
+  std::size_t failed = 0;     // of all: did not complete, or could not be set up
+  bool finished = false;      // false where it was interrupted
+};
+
+/// Called after each run with how many are done, how many there are and the time left, s.
+using SweepProgressNote = std::function<void(std::size_t done, std::size_t runs, double left_s)>;
+
+/// Does what is not done yet and writes the table. Threads simulate; this one alone writes files. A run that
+/// fails is a row with its error and stops no other. `cancelled()` ends the sweep after the runs under way.
+SweepOutcome run_sweep(const SweepDesign& design, const SweepFolder& folder, const SweepOptions& options,
+                       const SweepProgressNote& note, const std::function<bool()>& cancelled);
+
+}  // namespace trunk

@@ -1,0 +1,143 @@
+#include "results/fit_file.hpp"
+
+#include <algorithm>
+
+#include "results/layout.hpp"
+
+namespace trunk {
+namespace {
+
+using hdf5::Axis, hdf5::create_group, hdf5::Group, hdf5::write_array, hdf5::write_axis;
+using Parameter = FitRecord::Parameter;
+
+const std::string unit_in_table = "in the unit that `unit` gives for the parameter";
+
+/// One member of all parameters.
+template <typename Member>
+auto column(const std::vector<Parameter>& parameters, Member member) {
+  std::vector<std::remove_cvref_t<decltype(parameters.front().*member)>> values;
+  for (const Parameter& parameter : parameters) values.push_back(parameter.*member);
+  return values;
+}
+
+std::vector<std::int32_t> flags(const std::vector<Parameter>& parameters, bool Parameter::*member) {
+  std::vector<std::int32_t> values;
+  for (const Parameter& parameter : parameters) values.push_back(parameter.*member ? 1 : 0);
+  return values;
+}
+
+std::vector<std::string> file_units(const std::vector<Parameter>& parameters) {
+  std::vector<std::string> units;
+  for (const Parameter& parameter : parameters) units.push_back(layout::file_unit(parameter.unit));
+  return units;
+}
+
+void write_problem(hid_t root, const FitRecord& fit) {
+  const Group problem = create_group(root, "problem");
+  write_text(problem, {"scenario_toml", "", "the scenario as it was given"}, fit.scenario_toml);
+  const Axis time = write_axis(problem, {"time", "s", "time"}, fit.measured_time_s);
+  write_array(problem, {"measured", "ml", "measured volume change"}, layout::to_ml(fit.measured_m3), {time});
+  if (!fit.sigma_m3.empty()) {
+    write_array(problem, {"sigma", "ml", "standard deviation of measured"}, layout::to_ml(fit.sigma_m3),
+                {time});
+  }
+  const Axis parameter =
+      write_axis(problem, {"parameter", "", "parameter"}, column(fit.parameters, &Parameter::name));
+  const Axis bound = write_axis(problem, {"bound", "", "bound"}, std::vector<std::string>{"lower", "upper"});
+  write_array(problem, {"unit", "", "unit of the parameter"}, file_units(fit.parameters), {parameter});
+  std::vector<double> bounds;
+  for (const Parameter& one : fit.parameters) bounds.insert(bounds.end(), {one.lower, one.upper});
+  write_array(problem, {"bounds", "", "limits of the search, " + unit_in_table}, bounds, {parameter, bound});
+}
+
+void write_covariance(hid_t parameters, const FitRecord& fit) {
+  if (fit.covariance.empty()) return;
+  const Axis row = write_axis(parameters, {"covariance_row", "", "parameter"}, fit.covariance_names);
+  const Axis across = write_axis(parameters, {"covariance_column", "", "parameter"}, fit.covariance_names);
+  write_array(parameters, {"covariance", "1", "covariance of the natural logarithms of the parameters"},
+              fit.covariance, {row, across});
+}
+
+void write_parameters(hid_t root, const FitRecord& fit) {
+  const Group parameters = create_group(root, "parameters");
+  const auto& all = fit.parameters;
+  const Axis name = write_axis(parameters, {"name", "", "parameter"}, column(all, &Parameter::name));
+  write_array(parameters, {"unit", "", "unit of the parameter"}, file_units(all), {name});
+  const auto write = [&](const char* what, const std::string& meaning, double Parameter::*member) {
+    write_array(parameters, {what, "", meaning + ", " + unit_in_table}, column(all, member), {name});
+  };
+  write("initial", "start of the search", &Parameter::initial);
+  write("lower", "lower limit of the search", &Parameter::lower);
+  write("upper", "upper limit of the search", &Parameter::upper);
+  write("best", "best value", &Parameter::best);
+  write("stderr", "standard error of best", &Parameter::stderr_);
+  write("lower95", "lower end of the 95 % interval", &Parameter::lower95);
+  write("upper95", "upper end of the 95 % interval", &Parameter::upper95);
+  write_flags(
+      write_array(parameters, {"at_bound", "1", "best is a limit"}, flags(all, &Parameter::at_bound), {name}),
+      {"inside", "at_bound"});
+  write_flags(
+      write_array(parameters, {"free", "1", "varied by the fit"}, flags(all, &Parameter::free), {name}),
+      {"fixed", "free"});
+  write_covariance(parameters, fit);
+}
+
+std::string unit_of(const std::vector<Parameter>& parameters, const std::string& name) {
+  const auto found = std::find_if(parameters.begin(), parameters.end(),
+                                  [&](const Parameter& parameter) { return parameter.name == name; });
+  return found == parameters.end() ? "" : layout::file_unit(found->unit);
+}
+
+void write_evaluations(hid_t root, const FitRecord& fit) {
+  const Group evaluations = create_group(root, "evaluations");
+  const Axis one =
+      write_count_axis(evaluations, {"evaluation", "1", "evaluation"}, fit.evaluation_objective.size());
+  const Axis parameter = write_axis(evaluations, {"parameter", "", "parameter"}, fit.evaluation_names);
+  std::vector<std::string> units;
+  for (const std::string& name : fit.evaluation_names) units.push_back(unit_of(fit.parameters, name));
+  write_array(evaluations, {"unit", "", "unit of the parameter"}, units, {parameter});
+  write_array(evaluations, {"x", "", "what was tried, " + unit_in_table}, fit.evaluation_x, {one, parameter});
+  write_array(evaluations, {"objective", "1", "objective"}, fit.evaluation_objective, {one});
+  write_array(evaluations, {"status", "1", "outcome of the simulation, 0 = done"}, fit.evaluation_status,
+              {one});
+  if (layout::is_reproducible()) return;
+  write_array(evaluations, {"wall_s", "s", "time the evaluation took"}, fit.evaluation_wall_s, {one});
+}
+
+void write_result(hid_t root, const FitRecord& fit) {
+  const Group result = create_group(root, "result");
+  hdf5::write_attribute(result, "verdict", fit.verdict);
+  hdf5::write_attribute(result, "stop_reason", fit.stop_reason);
+  hdf5::write_attribute(result, "algorithm", fit.algorithm);
+  const Axis time = write_axis(result, {"time", "s", "time"}, fit.result_time_s);
+  write_array(result, {"dV_fit", "ml", "volume change of the best simulation"}, layout::to_ml(fit.dV_fit_m3),
+              {time});
+  write_array(result, {"residual", "ml", "model - measured"}, layout::to_ml(fit.residual_m3), {time});
+  layout::write_numbers(create_group(result, "statistics"), fit.statistics);
+}
+
+/// Same program, same call: its provenance is the fit's.
+void write_best_run(hid_t root, const FitRecord& fit) {
+  const Group best = create_group(root, "best_run");
+  layout::write_schema(best, "run");
+  layout::write_run_content(best, fit.best_run);
+  hdf5::link_again(root, "provenance", best, "provenance");
+}
+
+}  // namespace
+
+void write_fit(const std::filesystem::path& path, const FitRecord& fit) {
+  layout::store(path, "fit", [&](hid_t root) {
+    hdf5::write_attribute(root, "title", fit.title);
+    hdf5::write_attribute(root, "status", fit.status);
+    hdf5::write_attribute(root, "message", fit.message);
+    write_problem(root, fit);
+    write_parameters(root, fit);
+    write_evaluations(root, fit);
+    write_result(root, fit);
+    layout::write_provenance(root, fit.provenance);
+    write_best_run(root, fit);
+  });
+}
+
+}  // namespace trunk

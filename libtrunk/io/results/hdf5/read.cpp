@@ -1,0 +1,193 @@
+#include "results/hdf5/read.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "results/hdf5/types.hpp"
+#include "results/sha256.hpp"
+
+namespace trunk::hdf5 {
+namespace {
+
+constexpr int deepest = 12;  // our files go to 4
+constexpr std::size_t most_objects = 1000000;
+constexpr hsize_t best_compression = 2000;  // deflate reaches 1032
+
+std::string up_to_padding(const char* bytes, std::size_t size) {
+  return {bytes, std::find(bytes, bytes + size, '\0')};
+}
+
+bool is_fixed_text(hid_t type) {
+  return H5Tget_class(type) == H5T_STRING && H5Tis_variable_str(type) == 0;
+}
+
+/// Bytes of all values. A file of a few bytes may declare petabytes: then this throws.
+std::size_t declared_bytes(hid_t dataset, hid_t type, const std::string& path) {
+  const Space space(H5Dget_space(dataset), "read the shape of " + path);
+  const auto values = static_cast<hsize_t>(require(H5Sget_simple_extent_npoints(space), "read " + path));
+  const hsize_t value_bytes = H5Tget_size(type), stored = H5Dget_storage_size(dataset);
+  if (value_bytes == 0 || values > std::numeric_limits<hsize_t>::max() / value_bytes ||
+      values * value_bytes / best_compression > stored) {
+    throw Error("cannot read " + path + ": it declares more values than the file can hold");
+  }
+  return values * value_bytes;
+}
+
+template <typename Value>
+std::vector<Value> read_as(hid_t dataset, hid_t memory_type, const std::string& path) {
+  const Type type(H5Dget_type(dataset), "read the type of " + path);
+  const std::size_t values = declared_bytes(dataset, type, path) / H5Tget_size(type);
+  std::vector<Value> buffer(values * H5Tget_size(memory_type) / sizeof(Value));
+  require(H5Dread(dataset, memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, buffer.data()), "read " + path);
+  return buffer;
+}
+
+void require_hash(hid_t dataset, const std::string& path, const std::string& text) {
+  const std::string expected = read_attribute_if_any(dataset, "sha256");
+  if (!expected.empty() && sha256_of_text(text) != expected) {
+    throw Error("cannot read " + path + " (data error detected by its sha256)");
+  }
+}
+
+/// The copy of an array of texts that is safe to read, see free_text_type.
+std::vector<std::string> read_text_copy(hid_t dataset, const std::string& path) {
+  std::vector<std::string> texts;
+  if (has_attribute(dataset, "texts")) {
+    const std::string doing = "read the texts of " + path;
+    const Attribute attribute(H5Aopen(dataset, "texts", H5P_DEFAULT), doing);
+    const Type type(H5Aget_type(attribute), doing);
+    if (!is_fixed_text(type)) throw Error("cannot " + doing + ": they are not of fixed length");
+    const std::size_t width = H5Tget_size(type);
+    std::vector<char> block(H5Aget_storage_size(attribute));
+    require(H5Aread(attribute, type, block.data()), doing);
+    for (std::size_t at = 0; at + width <= block.size(); at += width) {
+      texts.push_back(up_to_padding(block.data() + at, width));
+    }
+  }
+  require_hash(dataset, path, joined(texts));
+  return texts;
+}
+
+/// The order of writing where it was kept, else the alphabet.
+H5_index_t order_of(hid_t group) {
+  const Properties properties(H5Gget_create_plist(group), "read the order of a group");
+  unsigned flags = 0;
+  H5Pget_link_creation_order(properties, &flags);
+  return flags & H5P_CRT_ORDER_INDEXED ? H5_INDEX_CRT_ORDER : H5_INDEX_NAME;
+}
+
+std::string link_name(hid_t group, H5_index_t order, hsize_t index) {
+  const std::string doing = "read the names in a group";
+  const auto size =
+      require(H5Lget_name_by_idx(group, ".", order, H5_ITER_INC, index, nullptr, 0, H5P_DEFAULT), doing);
+  std::string name(static_cast<std::size_t>(size) + 1, '\0');
+  require(H5Lget_name_by_idx(group, ".", order, H5_ITER_INC, index, name.data(), name.size(), H5P_DEFAULT),
+          doing);
+  name.pop_back();
+  return name;
+}
+
+using Visit = std::function<void(hid_t, H5I_type_t, const std::string&)>;
+
+void walk_below(hid_t group, const std::string& prefix, int depth, std::size_t& seen, const Visit& visit) {
+  H5G_info_t info{};
+  require(H5Gget_info(group, &info), "list " + prefix);
+  const H5_index_t order = order_of(group);
+  for (hsize_t index = 0; index < info.nlinks; ++index) {
+    if (depth > deepest || ++seen > most_objects) throw Error("cannot list the file: it has no end");
+    H5L_info_t link{};
+    require(H5Lget_info_by_idx(group, ".", order, H5_ITER_INC, index, &link, H5P_DEFAULT), "list " + prefix);
+    if (link.type != H5L_TYPE_HARD) continue;
+    const std::string path = prefix + link_name(group, order, index);
+    const Object object(H5Oopen_by_idx(group, ".", order, H5_ITER_INC, index, H5P_DEFAULT), "open " + path);
+    const H5I_type_t kind = H5Iget_type(object);
+    visit(object, kind, path);
+    if (kind == H5I_GROUP) walk_below(object, path + "/", depth + 1, seen, visit);
+  }
+}
+
+}  // namespace
+
+bool has_link(hid_t group, const std::string& name) {
+  return require(H5Lexists(group, name.c_str(), H5P_DEFAULT), "look for " + name) > 0;
+}
+
+bool has_attribute(hid_t object, const std::string& name) {
+  return require(H5Aexists(object, name.c_str()), "look for attribute " + name) > 0;
+}
+
+std::string read_attribute(hid_t object, const std::string& name) {
+  const std::string doing = "read attribute " + name;
+  const Attribute attribute(H5Aopen(object, name.c_str(), H5P_DEFAULT), doing);
+  const Space space(H5Aget_space(attribute), doing);
+  const Type type(H5Aget_type(attribute), doing);
+  if (H5Sget_simple_extent_npoints(space) != 1) throw Error("cannot " + doing + ": it is not a single value");
+  if (is_fixed_text(type)) {
+    std::vector<char> text(H5Tget_size(type));
+    require(H5Aread(attribute, type, text.data()), doing);
+    return up_to_padding(text.data(), text.size());
+  }
+  if (H5Tget_class(type) != H5T_INTEGER)
+    throw Error("cannot " + doing + ": it is neither text nor whole number");
+  std::uint64_t value = 0;
+  require(H5Aread(attribute, H5T_NATIVE_UINT64, &value), doing);
+  return std::to_string(value);
+}
+
+std::string read_attribute_if_any(hid_t object, const std::string& name) {
+  return has_attribute(object, name) ? read_attribute(object, name) : "";
+}
+
+std::vector<std::string> attribute_names(hid_t object) {
+  std::vector<std::string> names;
+  hsize_t start = 0;
+  const auto collect = [](hid_t, const char* name, const H5A_info_t*, void* found) -> herr_t {
+    static_cast<std::vector<std::string>*>(found)->emplace_back(name);
+    return 0;
+  };
+  require(H5Aiterate2(object, H5_INDEX_NAME, H5_ITER_INC, &start, collect, &names), "list attributes");
+  return names;
+}
+
+Dataset open_dataset(hid_t group, const std::string& path) {
+  return Dataset(H5Dopen2(group, path.c_str(), H5P_DEFAULT), "open " + path);
+}
+
+std::vector<hsize_t> shape_of(hid_t dataset) {
+  const Space space(H5Dget_space(dataset), "read a shape");
+  const int rank = require(H5Sget_simple_extent_ndims(space), "read a shape");
+  std::vector<hsize_t> shape(static_cast<std::size_t>(rank));
+  require(H5Sget_simple_extent_dims(space, shape.data(), nullptr), "read a shape");
+  return shape;
+}
+
+std::vector<double> read_doubles(hid_t group, const std::string& path) {
+  return read_as<double>(open_dataset(group, path), H5T_NATIVE_DOUBLE, path);
+}
+
+std::vector<std::string> read_texts(hid_t group, const std::string& path) {
+  return read_text_copy(open_dataset(group, path), path);
+}
+
+void verify(hid_t dataset, const std::string& path) {
+  const Type type(H5Dget_type(dataset), "read the type of " + path);
+  if (H5Tis_variable_str(type) > 0) {
+    read_text_copy(dataset, path);
+    return;
+  }
+  // Memory behind pointers within something else: nothing of ours, so a stranger's addition.
+  if (H5Tdetect_class(type, H5T_VLEN) != 0 ||
+      H5Tdetect_class(type, H5T_STRING) != (H5Tget_class(type) == H5T_STRING)) {
+    return;
+  }
+  const Type native(H5Tget_native_type(type, H5T_DIR_DEFAULT), "read the type of " + path);
+  const auto block = read_as<char>(dataset, native, path);
+  if (is_fixed_text(type)) require_hash(dataset, path, up_to_padding(block.data(), block.size()));
+}
+
+void walk(hid_t group, const Visit& visit) {
+  std::size_t seen = 0;
+  walk_below(group, "", 0, seen, visit);
+}
+
+}  // namespace trunk::hdf5

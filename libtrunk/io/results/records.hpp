@@ -1,0 +1,114 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+/// What goes into a results file, as plain data that knows neither the simulator nor HDF5.
+///
+/// Names become names in the file: not empty, no '/', unique in their group. `unit` is a UDUNITS
+/// spelling ("N m-1", "ml", "cmH2O"; "" and "1" both mean a pure number) and is written as given,
+/// so give volumes in ml. Members whose own name ends in `_m3` are converted: files hold volumes in ml.
+namespace trunk {
+
+struct NamedValue {
+  std::string name, unit;
+  double value = 0;
+};
+
+struct Series {
+  std::string name, unit, meaning;
+  std::vector<double> values;
+};
+
+struct NamedColumn {
+  std::string name, unit;
+  std::vector<double> values;
+};
+
+/// Where a file comes from. Creation time, host and `argv` are left out under SOURCE_DATE_EPOCH.
+struct Provenance {
+  std::string version, git_sha;
+  bool git_dirty = false;
+  std::string compiler, build_type, argv;
+  std::uint64_t seed = 0;
+  std::vector<std::pair<std::string, std::string>> input_sha256;  ///< file name, hash in hexadecimal
+  std::vector<std::pair<std::string, std::string>> libraries;     ///< name, version
+};
+
+/// T frames of N particles, and how these are connected.
+struct Trajectory {
+  std::size_t particles = 0;                           ///< N; 0 leaves the trajectory out of the file
+  std::vector<double> time_s;                          ///< [T]
+  std::vector<std::int64_t> step;                      ///< [T]
+  std::vector<double> position_m;                      ///< [T*N*3]
+  std::vector<double> velocity_m_s;                    ///< [T*N*3] or empty
+  std::vector<double> force_N;                         ///< [T*N*3] or empty
+  std::vector<double> mass_kg;                         ///< [N] or empty
+  std::vector<std::int32_t> region;                    ///< [N] or empty; index in region_names
+  std::vector<std::string> region_names;               //
+  std::vector<std::array<std::int32_t, 3>> triangles;  ///< [M]
+  std::vector<std::int32_t> triangle_component;        ///< [M] or empty; index in component_names
+  std::vector<std::string> component_names;            //
+  std::vector<std::array<std::int32_t, 2>> fibres;     ///< [F]
+};
+
+/// One simulation. `measures` is the Table 1 row. The curve named `dV_model`, when there is one, is
+/// written a second time as the trajectory sees it: sampled at the frames.
+struct RunRecord {
+  std::string title, status, message;
+  std::string scenario_toml;           ///< verbatim
+  std::vector<NamedValue> parameters;  ///< resolved, in natural units
+  std::vector<NamedValue> measures;    //
+  Trajectory trajectory;               //
+  std::vector<double> curve_time_s;    ///< [Tc]
+  std::vector<Series> curves;          ///< each [Tc]
+  Provenance provenance;
+};
+
+/// One fit. P parameters, of which F were free; E evaluations of the objective.
+struct FitRecord {
+  struct Parameter {
+    std::string name, unit;
+    double initial = 0, lower = 0, upper = 0, best = 0, stderr_ = 0, lower95 = 0, upper95 = 0;
+    bool at_bound = false, free = true;
+  };
+
+  std::string title, status, message;
+  std::string scenario_toml;  ///< verbatim
+  std::string verdict, stop_reason, algorithm;
+  std::vector<Parameter> parameters;          ///< [P]
+  std::vector<std::string> covariance_names;  ///< [F]
+  std::vector<double> covariance;  ///< [F*F], row-major, of the natural logarithms of the parameters
+
+  std::vector<double> measured_time_s, measured_m3;  ///< [Tm]
+  std::vector<double> sigma_m3;                      ///< [Tm] or empty; standard deviation of measured_m3
+
+  std::vector<std::string> evaluation_names;    ///< [F], what the columns of evaluation_x are
+  std::vector<double> evaluation_x;             ///< [E*F], row-major, in the natural unit of each parameter
+  std::vector<double> evaluation_objective;     ///< [E], NaN where the simulation failed
+  std::vector<std::int32_t> evaluation_status;  ///< [E], 0 = simulated
+  std::vector<double> evaluation_wall_s;        ///< [E]; left out under SOURCE_DATE_EPOCH
+
+  std::vector<double> result_time_s, dV_fit_m3, residual_m3;  ///< [Tr]; residual = model - measured
+  std::vector<NamedValue> statistics;                         ///< nrmse and the like
+  RunRecord best_run;                                         ///< its provenance is the fit's
+  Provenance provenance;
+};
+
+/// R runs in one table. A run that failed keeps its row, with NaN where there is no number.
+struct SweepRecord {
+  std::string title, sweep_toml;
+  std::vector<NamedColumn> columns;   ///< parameters and measures, each [R]
+  std::vector<std::string> scenario;  ///< [R]
+  std::vector<std::string> status;    ///< [R]
+  std::vector<std::string> error;     ///< [R], "" when there was none
+  std::vector<std::string> run_file;  ///< [R], relative to the folder of the sweep file; "" when absent
+  std::vector<double> curve_time_s;   ///< [Tc]
+  std::vector<double> curve_dV_ml;    ///< [R*Tc], row-major; in ml so that resuming loses no bit
+  Provenance provenance;
+};
+
+}  // namespace trunk

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "results/records.hpp"
+
+namespace trunk {
+
+/// What a sweep needs from a run that was done before.
+struct RunSummary {
+  std::string title, status, message;
+  std::vector<NamedValue> parameters, measures;  ///< in the order written
+  std::vector<double> curve_time_s;              ///< [Tc]
+  std::vector<double> curve_dV_ml;               ///< [Tc]; empty when the run has no curve `dV_model`
+};
+
+/// Whether there is a finished results file. False, not an error, for anything else.
+bool is_complete(const std::filesystem::path& path);
+
+/// The parameters of a run, or the best ones of a fit. Throws InputError for anything else.
+std::vector<NamedValue> read_parameters(const std::filesystem::path& path);
+
+/// Throws InputError when the file is not a finished run, or is damaged in what is read.
+RunSummary read_run_summary(const std::filesystem::path& path);
+
+}  // namespace trunk
