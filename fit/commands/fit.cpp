@@ -178,6 +178,7 @@ Exit fit_command(const Common& common, const Request& request) {
     breath = measured_breath(request);
     target = target_of(breath);
     file.inputs.push_back(request.trace);
+    file.scenario.time.duration_s = breath.duration_s;
     if (!request.keep_timing) adopt_timing(breath, file.scenario);
   }
   std::vector<std::string> fixed;

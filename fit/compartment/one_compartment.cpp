@@ -5,10 +5,13 @@
 #include <cmath>
 #include <memory>
 
+#include "search/minimise.hpp"
+
 namespace trunk {
 namespace {
 
 constexpr double step_s = 2e-3;
+constexpr double slowest_rate = 0.05, fastest_rate = 50.0;  // 1/s
 
 /// V(t) for unit drive at the target's times, exact for a drive that is constant within a step.
 Eigen::VectorXd unit_response(double rate, const Target& target, const BreathActivation<double>& activation) {
@@ -22,7 +25,7 @@ Eigen::VectorXd unit_response(double rate, const Target& target, const BreathAct
 
 struct Problem {
   const Target& target;
-  const BreathActivation<double>& activation;
+  const BreathActivation<double> activation;
 
   OneCompartment at(double rate) const {
     const Eigen::VectorXd unit = unit_response(rate, target, activation);
@@ -51,7 +54,7 @@ double best_on_grid(Problem& problem, double low, double high, double spacing) {
 }  // namespace
 
 OneCompartment fit_one_compartment(const Target& target, const BreathActivation<double>& activation) {
-  const double low = std::log(0.05), high = std::log(50.0), spacing = 0.1;
+  const double low = std::log(slowest_rate), high = std::log(fastest_rate), spacing = 0.1;
   Problem problem{target, activation};
   double best = best_on_grid(problem, low, high, spacing);
   if (best > low + spacing && best < high - spacing) {
@@ -63,6 +66,30 @@ OneCompartment fit_one_compartment(const Target& target, const BreathActivation<
     best = gsl_min_fminimizer_x_minimum(search.get());
   }
   return problem.at(std::exp(best));
+}
+
+BreathActivation<double> timed_by_one_compartment(const Target& target, const BreathActivation<double>& start) {
+  const auto timed = [&](const Eigen::VectorXd& x) {
+    BreathActivation<double> a = start;
+    a.rise_s = std::exp(x[0]);
+    a.fast_fall_s = std::exp(x[1]);
+    a.slow_fall_s = std::exp(x[2]);
+    return a;
+  };
+  const double shortest = std::log(0.02), longest = std::log(target.time_s.back());
+  const SearchProblem problem{
+      [&](const Eigen::VectorXd& x) { return Problem{target, timed(x)}.at(std::exp(x[3])).residual_sum; },
+      Eigen::Vector4d(shortest, shortest, shortest, std::log(slowest_rate)),
+      Eigen::Vector4d(longest, longest, longest, std::log(fastest_rate))};
+  SearchOptions options;
+  options.algorithm = "sbplx";
+  options.coordinate_tolerance = 1e-4;
+  options.objective_tolerance = 1e-9;
+  options.max_evaluations = 3000;
+  const double usual_rate = 4.0;  // 1/s: a time constant of a quarter of a second
+  const Eigen::Vector4d x(std::log(start.rise_s), std::log(start.fast_fall_s), std::log(start.slow_fall_s),
+                          std::log(usual_rate));
+  return timed(minimise(problem, x, options).best);
 }
 
 }  // namespace trunk

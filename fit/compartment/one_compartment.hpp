@@ -16,4 +16,8 @@ struct OneCompartment {
 /// to 50 per second. `target` must be a curve.
 OneCompartment fit_one_compartment(const Target& target, const BreathActivation<double>& activation);
 
+/// The activation whose rise, fast and slow fall let a one-compartment model follow the target best, all three and
+/// the rate free, from `start`. The level after the fast fall stays. `target` must be a curve.
+BreathActivation<double> timed_by_one_compartment(const Target& target, const BreathActivation<double>& start);
+
 }  // namespace trunk

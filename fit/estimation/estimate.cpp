@@ -1,5 +1,7 @@
 #include "estimation/estimate.hpp"
 
+#include "estimation/start.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -32,11 +34,13 @@ Quality quality_of(const Target& target, const Eigen::VectorXd& model,
 
 SearchResult search_twice(Objective& objective, const Eigen::VectorXd& start, SearchOptions options,
                           const std::function<bool()>& cancelled) {
+  const SearchProblem problem{[&](const Eigen::VectorXd& x) { return objective(x); }, objective.space().lower(),
+                              objective.space().upper()};
   const Eigen::VectorXd near = start_at_tidal_volume(objective, start);
-  const SearchResult first = minimise(objective, near, options, cancelled);
+  const SearchResult first = minimise(problem, near, options, cancelled);
   if (!first.converged) return first;
   options.first_step *= 0.1;
-  return minimise(objective, first.best, options, cancelled);
+  return minimise(problem, first.best, options, cancelled);
 }
 
 }  // namespace
@@ -55,7 +59,7 @@ void adopt_timing(const MeasuredBreath& breath, Scenario& scenario) {
   a.rise_s = std::max(shortest_s, breath.time_s[peak]);
   a.fast_fall_s = std::max(shortest_s, breath.time_s[fallen] - breath.time_s[peak]);
   a.slow_fall_s = std::max(shortest_s, breath.duration_s - breath.time_s[fallen]);
-  scenario.time.duration_s = breath.duration_s;
+  a = timed_by_one_compartment(target_of(breath), a);
 }
 
 Estimation estimate(const Trunk& trunk, const Scenario& scenario, const SearchSpace& space, const Target& target,

@@ -33,9 +33,9 @@ struct Estimation {
 /// The target a measured breath makes.
 Target target_of(const MeasuredBreath& breath);
 
-/// Times the scenario's activation after a measured breath: it rises until the measured peak, falls fast until
-/// the volume has come down to fast_fall_level of the tidal volume, then slowly to the end (our choice; the
-/// paper's 2 s, 0.5 s, 2 s are one subject's). The simulation lasts as long as the breath.
+/// Times the scenario's activation after a measured breath (our choice; the paper's 2 s, 0.5 s, 2 s are one
+/// subject's). The volume lags behind the muscle, so its own peak and fall are only the start: rise and falls are
+/// those with which a one-compartment model follows the breath best.
 void adopt_timing(const MeasuredBreath& breath, Scenario& scenario);
 
 /// Fits the parameters named in `space` to `target`: a start at the measured tidal volume, a search, a second

@@ -1,9 +1,8 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <functional>
 #include <string>
-
-#include "problem/objective.hpp"
 
 namespace trunk {
 
@@ -18,19 +17,21 @@ struct SearchOptions {
 
 struct SearchResult {
   bool converged = false;
-  Eigen::VectorXd best;   // coordinates of the best evaluation seen, not of the last
+  Eigen::VectorXd best;  // the best point seen, not the last: NLopt may return either
   double objective = 0.0;
   std::string stop_reason = "not run";
 };
 
-/// Runs NLopt from `start` within the bounds of the objective's space. `cancelled()` is asked before each
-/// evaluation and ends the search where it is true. Throws InputError on an unknown algorithm, and whatever the
-/// objective throws.
-SearchResult minimise(Objective& objective, const Eigen::VectorXd& start, const SearchOptions& options,
-                      const std::function<bool()>& cancelled = {});
+/// What to minimise, and where. `value` must be finite everywhere within the bounds: NLopt 2.7.1 takes NaN for
+/// success.
+struct SearchProblem {
+  std::function<double(const Eigen::VectorXd&)> value;
+  Eigen::VectorXd lower, upper;
+};
 
-/// Moves the coordinate of k_muscle until the model's peak volume is the measured one, by secants: a start near
-/// the valley from anywhere. Returns `start` where k_muscle is not free or no step helps.
-Eigen::VectorXd start_at_tidal_volume(Objective& objective, const Eigen::VectorXd& start);
+/// Runs NLopt from `start`. `cancelled()` is asked before each evaluation and ends the search where it is true.
+/// Throws InputError on an unknown algorithm, and whatever `value` throws.
+SearchResult minimise(const SearchProblem& problem, const Eigen::VectorXd& start, const SearchOptions& options,
+                      const std::function<bool()>& cancelled = {});
 
 }  // namespace trunk
