@@ -7,6 +7,7 @@
 #include <limits>
 #include <span>
 
+#include "io/scenario_keys.hpp"
 #include "results/sweep_file.hpp"
 #include "results/target_file.hpp"
 
@@ -45,7 +46,7 @@ std::size_t SweepTable::failures() const noexcept {
 
 std::vector<NamedColumn> SweepTable::columns() const {
   std::vector<NamedColumn> columns;
-  for (const auto& axis : design_.axes) columns.push_back({axis.key, "1", {}});
+  for (const auto& axis : design_.axes) columns.push_back({axis.key, unit_of_key(axis.key), {}});
   const auto with_measures =
       std::find_if(rows_.begin(), rows_.end(), [](const Kept& k) { return !k.measures.empty(); });
   const std::size_t measures = with_measures == rows_.end() ? 0 : with_measures->measures.size();

@@ -140,6 +140,16 @@ std::string expectation(const ScenarioKey& key) {
   return std::holds_alternative<Key::Switch>(key.kind) ? "true or false" : "a text in quotes";
 }
 
+std::string unit_of_key(std::string_view path) {
+  for (const Key& key : scenario_keys())
+    if (const auto* n = std::get_if<Key::Number>(&key.kind); n && key.path == path) {
+      if (n->unit == "N_per_m") return "N m-1";
+      if (n->unit == "N_s_per_m") return "N s m-1";
+      return n->unit.empty() ? "1" : std::string(n->unit);
+    }
+  return "1";
+}
+
 std::string nearest_key(std::string_view unknown) {
   const std::size_t tolerated = 3;
   std::string_view nearest;

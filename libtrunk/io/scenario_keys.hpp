@@ -41,6 +41,9 @@ std::span<const ScenarioKey> scenario_keys();
 /// What a key's value should look like, in words: "a number of mm, 50 to 400".
 std::string expectation(const ScenarioKey& key);
 
+/// The unit of a number key as UDUNITS spell it, "N m-1" for N_per_m; "1" for pure numbers and unknown keys.
+std::string unit_of_key(std::string_view path);
+
 /// The known path nearest to an unknown one: the same name with another unit, else the fewest edits; empty
 /// where nothing is near.
 std::string nearest_key(std::string_view unknown);

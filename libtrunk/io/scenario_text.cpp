@@ -27,8 +27,10 @@ std::string with_line_value(const std::string& text, std::size_t line, const std
     if (n == line) {
       const auto equals = current.find('=');
       const auto comment = current.find('#', equals);
-      const std::string tail = comment == std::string::npos ? "" : "  " + current.substr(comment);
-      current = current.substr(0, equals + 1) + " " + value + tail;
+      const std::string tail = comment == std::string::npos ? "" : " " + current.substr(comment);
+      current = current.substr(0, equals + 1) + " " + value;
+      if (!tail.empty() && current.size() + 1 < comment) current.resize(comment - 1, ' ');  // comments stay aligned
+      current += tail;
     }
     result += current + "\n";
   }

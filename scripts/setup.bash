@@ -1,0 +1,37 @@
+# Sourced by the scripts: Debian packages and the build. Runs as root or as a user with sudo.
+
+# Builds and runs the program, and reads its files for the plots and tables of quickstart.
+runtime_packages=(g++ cmake ninja-build pkg-config git
+  libeigen3-dev libnlopt-dev libgsl-dev libhdf5-dev libssl-dev
+  libcli11-dev libfmt-dev nlohmann-json3-dev libtomlplusplus-dev
+  python3 python3-h5py python3-matplotlib python3-numpy)
+
+# Also needed by the tests.
+test_packages=(catch2 clang-format python3-h5netcdf python3-pandas python3-xarray)
+
+say() { printf '\n== %s\n' "$*"; }
+
+# Installs what is missing; asks for nothing and touches no network where all is there.
+install_packages() {
+  local missing=() package
+  for package in "$@"; do
+    [ "$(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null)" = installed ] || missing+=("$package")
+  done
+  [ ${#missing[@]} -gt 0 ] || return 0
+  say "Installing ${missing[*]}"
+  local as_root=()
+  if [ "$(id -u)" -ne 0 ]; then
+    command -v sudo >/dev/null || { echo "these packages need root or sudo to install" >&2; return 1; }
+    as_root=(sudo)
+  fi
+  "${as_root[@]}" apt-get update -q
+  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends "${missing[@]}"
+}
+
+# build_with PRESET: configures and builds in the folder the preset names.
+build_with() {
+  say "Building ($1)"
+  cmake --preset "$1" -Wno-dev > "/tmp/trunk_configure.$$" || { cat "/tmp/trunk_configure.$$"; return 1; }
+  rm -f "/tmp/trunk_configure.$$"
+  cmake --build --preset "$1"
+}
