@@ -10,7 +10,7 @@ namespace trunk {
 
 /// Where n whole breaths begin, peak and end: breath i runs from rest i over peak i to rest i+1.
 struct Landmarks {
-  KnotLine rest;                 ///< ends of expiration, [n+1]: time s, volume m3 before drift removal
+  KnotLine rest;                        ///< ends of expiration, [n+1]: time s, volume m3 before drift removal
   std::vector<double> peak_s;           ///< [n] end of inspiration; the middle of a plateau
   std::vector<double> tidal_volume_m3;  ///< [n] maximum above the line between the two rests
 };

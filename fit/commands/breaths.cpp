@@ -20,10 +20,15 @@ Exit breaths_command(const Common& common, const Request& request) {
   for (const Breath& b : s.breaths) {
     ++number;
     kept += b.kept ? 1 : 0;
-    list.push_back({{"number", number}, {"onset_s", b.onset_s}, {"peak_s", b.peak_s}, {"end_s", b.end_s},
-                    {"tidal_volume_ml", 1e6 * b.tidal_volume_m3}, {"kept", b.kept}, {"reason", b.reason}});
-    text += fmt::format("  {:>6} {:>9.2f} {:>9.2f} {:>9.2f} {:>9.0f}  {}\n", number, b.onset_s, b.peak_s, b.end_s,
-                        1e6 * b.tidal_volume_m3, b.kept ? "yes" : "no: " + b.reason);
+    list.push_back({{"number", number},
+                    {"onset_s", b.onset_s},
+                    {"peak_s", b.peak_s},
+                    {"end_s", b.end_s},
+                    {"tidal_volume_ml", 1e6 * b.tidal_volume_m3},
+                    {"kept", b.kept},
+                    {"reason", b.reason}});
+    text += fmt::format("  {:>6} {:>9.2f} {:>9.2f} {:>9.2f} {:>9.0f}  {}\n", number, b.onset_s, b.peak_s,
+                        b.end_s, 1e6 * b.tidal_volume_m3, b.kept ? "yes" : "no: " + b.reason);
   }
   for (const std::string& note : s.notes) print_note("note: " + note);
   Json json{{"schema", "trunk.breaths/1"}, {"breaths_found", number}, {"breaths_kept", kept}};
@@ -33,8 +38,8 @@ Exit breaths_command(const Common& common, const Request& request) {
     json["tidal_volume_ml"] = 1e6 * mean.tidal_volume_m3;
     json["inspiration_s"] = mean.inspiration_s;
     json["duration_s"] = mean.duration_s;
-    text += fmt::format("; mean: tidal volume {:.0f} ml, inspiration {:.2f} s of {:.2f} s", 1e6 * mean.tidal_volume_m3,
-                        mean.inspiration_s, mean.duration_s);
+    text += fmt::format("; mean: tidal volume {:.0f} ml, inspiration {:.2f} s of {:.2f} s",
+                        1e6 * mean.tidal_volume_m3, mean.inspiration_s, mean.duration_s);
   }
   json["breaths"] = list;
   print_result(common, json, text);
@@ -45,7 +50,8 @@ Exit breaths_command(const Common& common, const Request& request) {
 
 void add_trace_options(CLI::App& command, TraceOptions& options) {
   command.add_option("--time", options.time_column, "name of the time column, if it is not time_s");
-  command.add_option("--signal", options.value_column, "name of the flow or volume column; its unit must end the name");
+  command.add_option("--signal", options.value_column,
+                     "name of the flow or volume column; its unit must end the name");
 }
 
 void add_breaths(CLI::App& app, Common& common, Run& run) {
@@ -54,7 +60,8 @@ void add_breaths(CLI::App& app, Common& common, Run& run) {
   command->add_option("TRACE", request->trace, "lung volume or flow trace (CSV)")->required();
   add_trace_options(*command, request->options);
   command->add_flag("--json", common.json, "print one JSON object");
-  command->callback([&common, &run, request] { run = [&common, request] { return breaths_command(common, *request); }; });
+  command->callback(
+      [&common, &run, request] { run = [&common, request] { return breaths_command(common, *request); }; });
 }
 
 }  // namespace trunk

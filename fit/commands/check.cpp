@@ -18,12 +18,14 @@ struct Request {
 void print_keys() {
   fmt::print("Keys of a scenario file, as table.key; --set takes the same names. Defaults in brackets.\n");
   for (const ScenarioKey& key : scenario_keys())
-    fmt::print("  {:<38} {}: {} [{}]\n", key.path, key.meaning, expectation(key), toml_value(key, Scenario{}));
-  fmt::print("Beside these: schema = \"trunk.scenario/1\"; extends = \"other.toml\"; gravity_m_s2 = [x, y, z];\n"
-             "abdominal_volume_fraction = [[time in s, fraction of rest], ...];\n"
-             "[[force]] region, direction, events_N = [[time in s, N a particle], ...];\n"
-             "[[displacement]] region, direction, events_mm = [[time in s, mm], ...].\n"
-             "Directions are [right, forward, up].\n");
+    fmt::print("  {:<38} {}: {} [{}]\n", key.path, key.meaning, expectation(key),
+               toml_value(key, Scenario{}));
+  fmt::print(
+      "Beside these: schema = \"trunk.scenario/1\"; extends = \"other.toml\"; gravity_m_s2 = [x, y, z];\n"
+      "abdominal_volume_fraction = [[time in s, fraction of rest], ...];\n"
+      "[[force]] region, direction, events_N = [[time in s, N a particle], ...];\n"
+      "[[displacement]] region, direction, events_mm = [[time in s, mm], ...].\n"
+      "Directions are [right, forward, up].\n");
 }
 
 Exit check_command(const Common& common, const Request& request) {
@@ -48,8 +50,8 @@ Exit check_command(const Common& common, const Request& request) {
     json["breaths_used"] = breath.breaths_used;
     json["tidal_volume_ml"] = 1e6 * breath.tidal_volume_m3;
     text += fmt::format("\n{}: good. {} breaths used, {} rejected, tidal volume {:.0f} ml, {:.2f} s a breath",
-                        request.trace, breath.breaths_used, breath.breaths_rejected, 1e6 * breath.tidal_volume_m3,
-                        breath.duration_s);
+                        request.trace, breath.breaths_used, breath.breaths_rejected,
+                        1e6 * breath.tidal_volume_m3, breath.duration_s);
   }
   print_result(common, json, text);
   return Exit::done;
@@ -62,10 +64,12 @@ void add_check(CLI::App& app, Common& common, Run& run) {
   const auto request = std::make_shared<Request>();
   command->add_option("SCENARIO", request->scenario, "scenario file (TOML)");
   command->add_option("--trace", request->trace, "lung volume or flow trace (CSV)");
-  command->add_option("--set", request->settings, "key=value, over the scenario; may be repeated")->take_all();
+  command->add_option("--set", request->settings, "key=value, over the scenario; may be repeated")
+      ->take_all();
   command->add_flag("--keys", request->keys, "list all keys of a scenario with units, limits and defaults");
   command->add_flag("--json", common.json, "print one JSON object");
-  command->callback([&common, &run, request] { run = [&common, request] { return check_command(common, *request); }; });
+  command->callback(
+      [&common, &run, request] { run = [&common, request] { return check_command(common, *request); }; });
 }
 
 }  // namespace trunk

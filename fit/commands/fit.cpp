@@ -92,8 +92,8 @@ Json correlation_json(const Uncertainty& u) {
   return matrix;
 }
 
-Json summary(const std::string& status, const Request& request, const Estimation& e, const MeasuredBreath& breath,
-             double wall_s) {
+Json summary(const std::string& status, const Request& request, const Estimation& e,
+             const MeasuredBreath& breath, double wall_s) {
   Json json{{"schema", "trunk.fit/1"}, {"status", status}};
   json["parameters"] = Json::object();
   if (e.uncertainty) {
@@ -105,10 +105,12 @@ Json summary(const std::string& status, const Request& request, const Estimation
   json["tidal_volume_measured_ml"] = json_number(1e6 * e.quality.tidal_volume_m3);
   json["tidal_volume_error_ml"] = json_number(1e6 * e.quality.tidal_volume_error_m3);
   json["peak_time_error_s"] = json_number(e.quality.peak_time_error_s);
-  json["residual_autocorrelation"] = e.uncertainty ? json_number(e.uncertainty->residual_autocorrelation) : nullptr;
+  json["residual_autocorrelation"] =
+      e.uncertainty ? json_number(e.uncertainty->residual_autocorrelation) : nullptr;
   json["condition_number"] = e.uncertainty ? json_number(e.uncertainty->condition_number) : nullptr;
   json["identifiable"] = e.uncertainty && e.uncertainty->identifiable;
-  json["verdict"] = e.uncertainty ? e.uncertainty->verdict : "The search did not converge: " + e.search.stop_reason;
+  json["verdict"] =
+      e.uncertainty ? e.uncertainty->verdict : "The search did not converge: " + e.search.stop_reason;
   json["baseline_nrmse_percent"] = json_number(100.0 * e.quality.baseline_nrmse);
   json["algorithm"] = request.search.algorithm;
   json["stop_reason"] = e.search.stop_reason;
@@ -124,20 +126,26 @@ std::string table(const Estimation& e, const MeasuredBreath& breath, const Reque
   std::string text;
   if (breath.breaths_used > 0)
     text += fmt::format("{} breaths used, {} rejected; tidal volume {:.0f} ml, {:.2f} s a breath\n",
-                        breath.breaths_used, breath.breaths_rejected, 1e6 * breath.tidal_volume_m3, breath.duration_s);
-  text += fmt::format("  {:<26} {:>10}  {:>10}  {:>22}\n", "parameter", "estimate", "std error", "95 % interval");
+                        breath.breaths_used, breath.breaths_rejected, 1e6 * breath.tidal_volume_m3,
+                        breath.duration_s);
+  text +=
+      fmt::format("  {:<26} {:>10}  {:>10}  {:>22}\n", "parameter", "estimate", "std error", "95 % interval");
   const auto line = [&](const Estimate& p) {
-    text += fmt::format("  {:<26} {:>10.5g}  {:>10.3g}  {:>9.4g} to {:>9.4g} {}{}\n", p.name, p.value, p.stderr_,
-                        p.lower95, p.upper95, p.unit == "1" ? "" : p.unit, p.at_bound ? "  AT BOUND" : "");
+    text +=
+        fmt::format("  {:<26} {:>10.5g}  {:>10.3g}  {:>9.4g} to {:>9.4g} {}{}\n", p.name, p.value, p.stderr_,
+                    p.lower95, p.upper95, p.unit == "1" ? "" : p.unit, p.at_bound ? "  AT BOUND" : "");
   };
   if (e.uncertainty) {
     for (const Estimate& p : e.uncertainty->parameters) line(p);
     if (!e.uncertainty->ratio.name.empty()) line(e.uncertainty->ratio);
   }
-  text += fmt::format("  residual {:.2f} % of tidal volume (one-compartment model: {:.2f} %), tidal volume {:+.1f} ml, peak {:+.3f} s\n",
-                      100.0 * e.quality.nrmse, 100.0 * e.quality.baseline_nrmse,
-                      1e6 * e.quality.tidal_volume_error_m3, e.quality.peak_time_error_s);
-  text += fmt::format("  {} evaluations, {} failed; {}\n", e.evaluations.size(), e.failures, e.search.stop_reason);
+  text += fmt::format(
+      "  residual {:.2f} % of tidal volume (one-compartment model: {:.2f} %), tidal volume {:+.1f} ml, peak "
+      "{:+.3f} s\n",
+      100.0 * e.quality.nrmse, 100.0 * e.quality.baseline_nrmse, 1e6 * e.quality.tidal_volume_error_m3,
+      e.quality.peak_time_error_s);
+  text += fmt::format("  {} evaluations, {} failed; {}\n", e.evaluations.size(), e.failures,
+                      e.search.stop_reason);
   text += e.uncertainty ? e.uncertainty->verdict : "The search did not converge.";
   return text + "\nWritten to " + request.output;
 }
@@ -204,18 +212,22 @@ Exit fit_command(const Common& common, const Request& request) {
     throw std::runtime_error("no simulation completed (" + e.search.stop_reason + "): nothing written");
 
   const bool identifiable = e.uncertainty && e.uncertainty->identifiable;
-  const std::string status = !e.search.converged ? "not_converged" : identifiable ? "converged" : "not_identifiable";
+  const std::string status = !e.search.converged ? "not_converged"
+                             : identifiable      ? "converged"
+                                                 : "not_identifiable";
   ScenarioFile best = file;
   best.scenario.parameters = e.best.parameters;
   best.scenario.activation = e.best.activation;
-  const int stride = std::max(1, static_cast<int>(std::lround(best.scenario.frame_every_s / best.scenario.time.dt_s)));
+  const int stride =
+      std::max(1, static_cast<int>(std::lround(best.scenario.frame_every_s / best.scenario.time.dt_s)));
   const BreathRun run = run_breath(trunk, best.scenario, stride);
   write_fit(request.output, fit_record(file, trunk, space, target, breath, e, request.search, status, run,
                                        provenance_of(file.inputs, common.argv)));
   if (!request.save_scenario.empty()) {
     std::vector<std::string> keys;
     for (std::size_t i = 0; i < space.size(); ++i) keys.emplace_back(space.parameter(i).scenario_key);
-    write_text(request.save_scenario, with_values(request.scenario, keys, with_rounded(best.scenario, space, e.best)));
+    write_text(request.save_scenario,
+               with_values(request.scenario, keys, with_rounded(best.scenario, space, e.best)));
   }
   print_result(common, summary(status, request, e, breath, wall.count()), table(e, breath, request));
   if (!e.search.converged) return Exit::not_converged;
@@ -229,17 +241,21 @@ void add_fit(CLI::App& app, Common& common, Run& run) {
   const auto r = std::make_shared<Request>();
   command->add_option("SCENARIO", r->scenario, "scenario file (TOML)")->required();
   command->add_option("--trace", r->trace, "lung volume or flow trace (CSV)");
-  command->add_option("--tidal-volume-ml", r->tidal_volume_ml, "fit k_muscle to this one number instead of a trace");
+  command->add_option("--tidal-volume-ml", r->tidal_volume_ml,
+                      "fit k_muscle to this one number instead of a trace");
   command->add_option("-o,--output", r->output, "result file (HDF5)")->required();
-  command->add_option("--free", r->free, "parameters to fit, comma separated [k_elasticity,k_muscle]")->delimiter(',');
+  command->add_option("--free", r->free, "parameters to fit, comma separated [k_elasticity,k_muscle]")
+      ->delimiter(',');
   command->add_option("--fix", r->fixed, "name=value or name=@fit.h5; may be repeated")->take_all();
   command->add_option("--set", r->settings, "key=value, over the scenario; may be repeated")->take_all();
   command->add_option("--algorithm", r->search.algorithm, "bobyqa, sbplx, cobyla or neldermead [bobyqa]");
-  command->add_option("--max-evaluations", r->search.max_evaluations, "simulations at most in each search [600]")
+  command
+      ->add_option("--max-evaluations", r->search.max_evaluations, "simulations at most in each search [600]")
       ->check(CLI::Range(1, 1000000));
   command->add_option("--breath", r->breath, "mean, or the number of one breath [mean]");
   command->add_flag("--keep-timing", r->keep_timing, "activation as timed by the scenario, not by the trace");
-  command->add_option("--save-scenario", r->save_scenario, "write the scenario with the fitted values to this file");
+  command->add_option("--save-scenario", r->save_scenario,
+                      "write the scenario with the fitted values to this file");
   add_trace_options(*command, r->columns);
   command->add_flag("--json", common.json, "print one JSON object");
   command->add_flag("--force", common.force, "replace result files that exist");

@@ -22,11 +22,14 @@ int report_usage(const CLI::App& app, const CLI::ParseError& error) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app{"Fits a discrete model of the human trunk to lung volume traces, simulates it, sweeps scenarios."};
+  CLI::App app{
+      "Fits a discrete model of the human trunk to lung volume traces, simulates it, sweeps scenarios."};
   app.name("trunk");
   app.require_subcommand(1);
   app.set_version_flag("--version", trunk::version_text());
-  app.footer("Exit codes: 0 done, 2 bad input, 3 diverged or not converged, 4 a free parameter is not identifiable.");
+  app.footer(
+      "Exit codes: 0 done, 2 bad input, 3 diverged or not converged, 4 a free parameter is not "
+      "identifiable.");
   trunk::Common common{joined(argc, argv), false, false};
   trunk::Run run;
   trunk::add_check(app, common, run);

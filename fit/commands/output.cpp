@@ -15,11 +15,15 @@ std::atomic<bool> was_interrupted = false;
 static_assert(std::atomic<bool>::is_always_lock_free);
 bool progress_shown = false;
 
-extern "C" void note_interrupt(int) { was_interrupted = true; }
+extern "C" void note_interrupt(int) {
+  was_interrupted = true;
+}
 
 }  // namespace
 
-Json json_number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+Json json_number(double value) {
+  return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
 
 void print_result(const Common& common, const Json& json, const std::string& text) {
   clear_progress();
@@ -58,6 +62,8 @@ void catch_interrupts() {
   std::signal(SIGTERM, &note_interrupt);
 }
 
-bool interrupted() { return was_interrupted; }
+bool interrupted() {
+  return was_interrupted;
+}
 
 }  // namespace trunk

@@ -15,7 +15,7 @@ using Json = nlohmann::ordered_json;
 
 /// Options every command has.
 struct Common {
-  std::string argv;    // the command line as typed
+  std::string argv;  // the command line as typed
   bool json = false;
   bool force = false;
 };

@@ -5,8 +5,8 @@
 #include "commands/commands.hpp"
 #include "recording/provenance.hpp"
 #include "recording/records.hpp"
-#include "results/summary.hpp"
 #include "results/run_file.hpp"
+#include "results/summary.hpp"
 #include "results/target_file.hpp"
 
 namespace trunk {
@@ -45,10 +45,10 @@ Exit simulate_command(const Common& common, const Request& request) {
   const BreathRun run = run_breath(trunk, file.scenario, frame_stride(file.scenario));
   write_run(request.output, run_record(file, trunk, run, {}, provenance_of(file.inputs, common.argv)));
 
-  const std::string text =
-      fmt::format("{}: {}\n{}  {} particles, {} steps of {:g} ms in {:.1f} ms; written to {}", file.scenario.title,
-                  run.summary.message, aligned(measures_of(run)), trunk.model.particles(), run.summary.steps,
-                  1e3 * file.scenario.time.dt_s, 1e3 * run.wall_s, request.output);
+  const std::string text = fmt::format(
+      "{}: {}\n{}  {} particles, {} steps of {:g} ms in {:.1f} ms; written to {}", file.scenario.title,
+      run.summary.message, aligned(measures_of(run)), trunk.model.particles(), run.summary.steps,
+      1e3 * file.scenario.time.dt_s, 1e3 * run.wall_s, request.output);
   print_result(common, summary(trunk, file.scenario, run), text);
   return run.summary.completed() ? Exit::done : Exit::not_converged;
 }
@@ -60,11 +60,13 @@ void add_simulate(CLI::App& app, Common& common, Run& run) {
   const auto request = std::make_shared<Request>();
   command->add_option("SCENARIO", request->scenario, "scenario file (TOML)")->required();
   command->add_option("-o,--output", request->output, "result file (HDF5)")->required();
-  command->add_option("--set", request->settings, "key=value, over the scenario; may be repeated")->take_all();
+  command->add_option("--set", request->settings, "key=value, over the scenario; may be repeated")
+      ->take_all();
   command->add_option("--from", request->parameters_from, "take the parameters of this fit or run (HDF5)");
   command->add_flag("--json", common.json, "print one JSON object");
   command->add_flag("--force", common.force, "replace the result file if it exists");
-  command->callback([&common, &run, request] { run = [&common, request] { return simulate_command(common, *request); }; });
+  command->callback(
+      [&common, &run, request] { run = [&common, request] { return simulate_command(common, *request); }; });
 }
 
 }  // namespace trunk

@@ -68,7 +68,8 @@ OneCompartment fit_one_compartment(const Target& target, const BreathActivation<
   return problem.at(std::exp(best));
 }
 
-BreathActivation<double> timed_by_one_compartment(const Target& target, const BreathActivation<double>& start) {
+BreathActivation<double> timed_by_one_compartment(const Target& target,
+                                                  const BreathActivation<double>& start) {
   const auto timed = [&](const Eigen::VectorXd& x) {
     BreathActivation<double> a = start;
     a.rise_s = std::exp(x[0]);
@@ -77,10 +78,11 @@ BreathActivation<double> timed_by_one_compartment(const Target& target, const Br
     return a;
   };
   const double shortest = std::log(0.02), longest = std::log(target.time_s.back());
-  const SearchProblem problem{
-      [&](const Eigen::VectorXd& x) { return Problem{target, timed(x)}.at(std::exp(x[3])).residual_sum; },
-      Eigen::Vector4d(shortest, shortest, shortest, std::log(slowest_rate)),
-      Eigen::Vector4d(longest, longest, longest, std::log(fastest_rate))};
+  const SearchProblem problem{[&](const Eigen::VectorXd& x) {
+                                return Problem{target, timed(x)}.at(std::exp(x[3])).residual_sum;
+                              },
+                              Eigen::Vector4d(shortest, shortest, shortest, std::log(slowest_rate)),
+                              Eigen::Vector4d(longest, longest, longest, std::log(fastest_rate))};
   SearchOptions options;
   options.algorithm = "sbplx";
   options.coordinate_tolerance = 1e-4;

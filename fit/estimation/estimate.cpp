@@ -26,16 +26,15 @@ Quality quality_of(const Target& target, const Eigen::VectorXd& model,
   q.nrmse = normalised((model - measured).squaredNorm());
   q.tidal_volume_error_m3 = model.maxCoeff() - q.tidal_volume_m3;
   if (target.is_tidal_volume()) return q;
-  q.peak_time_error_s =
-      target.time_s[peak_of(model.data(), n)] - target.time_s[peak_of(measured.data(), n)];
+  q.peak_time_error_s = target.time_s[peak_of(model.data(), n)] - target.time_s[peak_of(measured.data(), n)];
   q.baseline_nrmse = normalised(fit_one_compartment(target, activation).residual_sum);
   return q;
 }
 
 SearchResult search_twice(Objective& objective, const Eigen::VectorXd& start, SearchOptions options,
                           const std::function<bool()>& cancelled) {
-  const SearchProblem problem{[&](const Eigen::VectorXd& x) { return objective(x); }, objective.space().lower(),
-                              objective.space().upper()};
+  const SearchProblem problem{[&](const Eigen::VectorXd& x) { return objective(x); },
+                              objective.space().lower(), objective.space().upper()};
   const Eigen::VectorXd near = start_at_tidal_volume(objective, start);
   const SearchResult first = minimise(problem, near, options, cancelled);
   if (!first.converged) return first;
@@ -45,7 +44,9 @@ SearchResult search_twice(Objective& objective, const Eigen::VectorXd& start, Se
 
 }  // namespace
 
-Target target_of(const MeasuredBreath& breath) { return {breath.time_s, breath.volume_m3}; }
+Target target_of(const MeasuredBreath& breath) {
+  return {breath.time_s, breath.volume_m3};
+}
 
 void adopt_timing(const MeasuredBreath& breath, Scenario& scenario) {
   auto& a = scenario.activation;
@@ -62,16 +63,16 @@ void adopt_timing(const MeasuredBreath& breath, Scenario& scenario) {
   a = timed_by_one_compartment(target_of(breath), a);
 }
 
-Estimation estimate(const Trunk& trunk, const Scenario& scenario, const SearchSpace& space, const Target& target,
-                    const SearchOptions& options, const std::function<bool()>& cancelled) {
+Estimation estimate(const Trunk& trunk, const Scenario& scenario, const SearchSpace& space,
+                    const Target& target, const SearchOptions& options,
+                    const std::function<bool()>& cancelled) {
   Objective objective(trunk, scenario.time, space, target);
   Estimation e;
   e.search = search_twice(objective, space.start(), options, cancelled);
   if (const Evaluation* best = objective.best()) {
     const Eigen::VectorXd x = best->x;  // a copy: more evaluations follow
     e.best = space.decode(x);
-    const VolumeCurve curve =
-        simulate_volume(trunk, e.best.parameters, e.best.activation, scenario.time);
+    const VolumeCurve curve = simulate_volume(trunk, e.best.parameters, e.best.activation, scenario.time);
     e.model = as_target_sees(target, curve.delta_v, scenario.time.dt_s);
     e.quality = quality_of(target, e.model, e.best.activation);
     if (e.search.converged) e.uncertainty = assess(objective, x);

@@ -34,14 +34,15 @@ struct Estimation {
 Target target_of(const MeasuredBreath& breath);
 
 /// Times the scenario's activation after a measured breath (our choice; the paper's 2 s, 0.5 s, 2 s are one
-/// subject's). The volume lags behind the muscle, so its own peak and fall are only the start: rise and falls are
-/// those with which a one-compartment model follows the breath best.
+/// subject's). The volume lags behind the muscle, so its own peak and fall are only the start: rise and falls
+/// are those with which a one-compartment model follows the breath best.
 void adopt_timing(const MeasuredBreath& breath, Scenario& scenario);
 
 /// Fits the parameters named in `space` to `target`: a start at the measured tidal volume, a search, a second
 /// one from its best point with a smaller step, uncertainty, baseline. Throws InputError on a target or space
 /// that make no sense; a search that fails is reported in the result.
-Estimation estimate(const Trunk& trunk, const Scenario& scenario, const SearchSpace& space, const Target& target,
-                    const SearchOptions& options, const std::function<bool()>& cancelled = {});
+Estimation estimate(const Trunk& trunk, const Scenario& scenario, const SearchSpace& space,
+                    const Target& target, const SearchOptions& options,
+                    const std::function<bool()>& cancelled = {});
 
 }  // namespace trunk

@@ -10,7 +10,8 @@
 namespace trunk {
 namespace {
 
-// Abdominal pressure swings in quiet breathing grow with k_elasticity, about 1 to 40 cmH2O between these (our choice).
+// Abdominal pressure swings in quiet breathing grow with k_elasticity, about 1 to 40 cmH2O between these (our
+// choice).
 constexpr double lowest_elasticity = 400.0, highest_elasticity = 16000.0;
 constexpr double lowest_ratio = 1e-5, highest_ratio = 1.0;  // k_muscle / k_elasticity; our choice
 
@@ -52,7 +53,8 @@ const FreeParameter& free_parameter(const std::string& name) {
 }
 
 SearchSpace::SearchSpace(std::vector<std::string> names, const Candidate& start) : start_(start) {
-  if (names.empty()) throw InputError("no parameter is free, expected at least one: --free k_elasticity,k_muscle");
+  if (names.empty())
+    throw InputError("no parameter is free, expected at least one: --free k_elasticity,k_muscle");
   for (const FreeParameter& p : free_parameters())  // in the table's order, so that k_elasticity comes first
     if (const auto count = std::count(names.begin(), names.end(), p.name); count > 1)
       throw InputError(fmt::format("parameter '{}' is named twice", p.name));
@@ -67,7 +69,9 @@ SearchSpace::SearchSpace(std::vector<std::string> names, const Candidate& start)
   }
 }
 
-bool SearchSpace::is_ratio(std::size_t i) const { return free_[i]->name == "k_muscle"; }
+bool SearchSpace::is_ratio(std::size_t i) const {
+  return free_[i]->name == "k_muscle";
+}
 
 Eigen::VectorXd SearchSpace::encode(const Candidate& candidate) const {
   Eigen::VectorXd x(static_cast<Eigen::Index>(size()));

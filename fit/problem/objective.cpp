@@ -31,9 +31,10 @@ Objective::Objective(const Trunk& trunk, const TimeGrid& grid, const SearchSpace
   if (!target.is_tidal_volume() && (target.time_s.empty() || target.time_s.size() != target.delta_v.size()))
     throw InputError("the measured curve has no samples");
   if (!target.time_s.empty() && target.time_s.back() > grid.duration_s + grid.dt_s)
-    throw InputError(fmt::format("the measured curve lasts {:.3f} s, the simulation {:.3f} s; expected the "
-                                 "simulation to cover it",
-                                 target.time_s.back(), grid.duration_s));
+    throw InputError(
+        fmt::format("the measured curve lasts {:.3f} s, the simulation {:.3f} s; expected the "
+                    "simulation to cover it",
+                    target.time_s.back(), grid.duration_s));
   for (double v : target.delta_v) target_energy_ += v * v;
 }
 
@@ -57,9 +58,13 @@ Objective::Outcome Objective::evaluate(const Eigen::VectorXd& x) {
   return outcome;
 }
 
-std::optional<Eigen::VectorXd> Objective::residuals(const Eigen::VectorXd& x) { return evaluate(x).residuals; }
+std::optional<Eigen::VectorXd> Objective::residuals(const Eigen::VectorXd& x) {
+  return evaluate(x).residuals;
+}
 
-double Objective::operator()(const Eigen::VectorXd& x) { return evaluate(x).objective; }
+double Objective::operator()(const Eigen::VectorXd& x) {
+  return evaluate(x).objective;
+}
 
 int Objective::failures() const noexcept {
   return static_cast<int>(std::count_if(evaluations_.begin(), evaluations_.end(), [](const Evaluation& e) {

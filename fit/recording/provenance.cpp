@@ -38,8 +38,9 @@ Provenance provenance_of(const std::vector<std::filesystem::path>& inputs, const
 
 std::string version_text() {
   const Provenance p = provenance_of({}, "");
-  std::string text = fmt::format("trunk {} ({}{})\n{}, {} build\n", p.version, p.git_sha.empty() ? "no git" : p.git_sha,
-                                 p.git_dirty ? ", with changes" : "", p.compiler, p.build_type);
+  std::string text =
+      fmt::format("trunk {} ({}{})\n{}, {} build\n", p.version, p.git_sha.empty() ? "no git" : p.git_sha,
+                  p.git_dirty ? ", with changes" : "", p.compiler, p.build_type);
   for (const auto& [name, version] : p.libraries) text += fmt::format("{} {}\n", name, version);
   return text + "licence GPL-3.0-or-later";
 }

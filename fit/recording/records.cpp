@@ -10,7 +10,8 @@ namespace {
 
 constexpr double ml = 1e-6, mm = 1e-3;
 
-std::vector<double> flat(const std::vector<BreathRun::Frame>& frames, std::vector<Vec3d> BreathRun::Frame::* member) {
+std::vector<double> flat(const std::vector<BreathRun::Frame>& frames,
+                         std::vector<Vec3d> BreathRun::Frame::*member) {
   std::vector<double> numbers;
   for (const auto& frame : frames)
     for (const Vec3d& a : frame.*member) numbers.insert(numbers.end(), {a.x(), a.y(), a.z()});
@@ -30,11 +31,13 @@ Trajectory trajectory_of(const Trunk& trunk, const BreathRun& run, double dt_s) 
   t.region.assign(t.particles, 0);
   for (const auto& [name, particles] : trunk.regions) {
     if (name == "spine") continue;  // overlaps others: a particle has one region in the file
-    for (int i : particles) t.region[static_cast<std::size_t>(i)] = static_cast<std::int32_t>(t.region_names.size());
+    for (int i : particles)
+      t.region[static_cast<std::size_t>(i)] = static_cast<std::int32_t>(t.region_names.size());
     t.region_names.push_back(name);
   }
   t.component_names = {"abdomen_and_diaphragm", "lung"};
-  for (const auto& [triangles, component] : {std::pair{&trunk.mesh.abdomen, 0}, std::pair{&trunk.mesh.lung, 1}})
+  for (const auto& [triangles, component] :
+       {std::pair{&trunk.mesh.abdomen, 0}, std::pair{&trunk.mesh.lung, 1}})
     for (const auto& [i, j, k] : *triangles) {
       t.triangles.push_back({i, j, k});
       t.triangle_component.push_back(component);
@@ -122,7 +125,8 @@ void add_evaluations(const SearchSpace& space, const Estimation& e, FitRecord& f
 
 std::vector<NamedValue> measures_of(const BreathRun& run) {
   const Measures& m = run.measures;
-  const double peak_Pa = run.pressure_Pa.empty() ? 0.0 : *std::max_element(run.pressure_Pa.begin(), run.pressure_Pa.end());
+  const double peak_Pa =
+      run.pressure_Pa.empty() ? 0.0 : *std::max_element(run.pressure_Pa.begin(), run.pressure_Pa.end());
   return {{"delta_v_ml", "ml", m.delta_v / ml},
           {"delta_v_percent", "percent", 100.0 * m.delta_v / m.end_expiratory_volume},
           {"end_expiratory_volume_ml", "ml", m.end_expiratory_volume / ml},
@@ -153,21 +157,25 @@ void adopt_parameters(const std::vector<NamedValue>& parameters, Scenario& scena
   const auto& a = c.activation;
   if (a.period_s == 0.0)
     scenario.time.duration_s =
-        std::max(scenario.time.dt_s, a.onset_s + a.rise_s + a.fast_fall_s + a.slow_fall_s);
+        std::max(scenario.time.duration_s, a.onset_s + a.rise_s + a.fast_fall_s + a.slow_fall_s);
 }
 
 std::string status_word(Summary::Status status) {
   switch (status) {
-    case Summary::Status::completed: return "completed";
-    case Summary::Status::diverged: return "diverged";
-    case Summary::Status::volume_lost: return "volume_lost";
-    case Summary::Status::unset: break;
+    case Summary::Status::completed:
+      return "completed";
+    case Summary::Status::diverged:
+      return "diverged";
+    case Summary::Status::volume_lost:
+      return "volume_lost";
+    case Summary::Status::unset:
+      break;
   }
   return "not_run";
 }
 
-RunRecord run_record(const ScenarioFile& file, const Trunk& trunk, const BreathRun& run, const Target& measured,
-                     const Provenance& provenance) {
+RunRecord run_record(const ScenarioFile& file, const Trunk& trunk, const BreathRun& run,
+                     const Target& measured, const Provenance& provenance) {
   RunRecord r;
   r.title = file.scenario.title;
   r.status = status_word(run.summary.status);
@@ -198,9 +206,10 @@ RunRecord run_record(const ScenarioFile& file, const Trunk& trunk, const BreathR
   return r;
 }
 
-FitRecord fit_record(const ScenarioFile& file, const Trunk& trunk, const SearchSpace& space, const Target& target,
-                     const MeasuredBreath& breath, const Estimation& e, const SearchOptions& options,
-                     const std::string& status, const BreathRun& run, const Provenance& provenance) {
+FitRecord fit_record(const ScenarioFile& file, const Trunk& trunk, const SearchSpace& space,
+                     const Target& target, const MeasuredBreath& breath, const Estimation& e,
+                     const SearchOptions& options, const std::string& status, const BreathRun& run,
+                     const Provenance& provenance) {
   FitRecord fit;
   fit.title = file.scenario.title;
   fit.status = status;

@@ -26,8 +26,9 @@ RunRecord run_record(const ScenarioFile& file, const Trunk& trunk, const BreathR
                      const Target& measured, const Provenance& provenance);
 
 /// `status` is as in `fit --json`. `run` is the breath at the best parameters.
-FitRecord fit_record(const ScenarioFile& file, const Trunk& trunk, const SearchSpace& space, const Target& target,
-                     const MeasuredBreath& breath, const Estimation& estimation, const SearchOptions& options,
-                     const std::string& status, const BreathRun& run, const Provenance& provenance);
+FitRecord fit_record(const ScenarioFile& file, const Trunk& trunk, const SearchSpace& space,
+                     const Target& target, const MeasuredBreath& breath, const Estimation& estimation,
+                     const SearchOptions& options, const std::string& status, const BreathRun& run,
+                     const Provenance& provenance);
 
 }  // namespace trunk

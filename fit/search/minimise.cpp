@@ -69,18 +69,22 @@ std::string reason(nlopt_result result, const SearchOptions& o) {
       return fmt::format("every step in log coordinates is at most {:g}", o.coordinate_tolerance);
     case NLOPT_FTOL_REACHED:
       return fmt::format("the objective changes by at most {:g} of itself", o.objective_tolerance);
-    case NLOPT_MAXEVAL_REACHED: return fmt::format("{} evaluations were not enough", o.max_evaluations);
-    case NLOPT_ROUNDOFF_LIMITED: return "round-off stopped further progress";
+    case NLOPT_MAXEVAL_REACHED:
+      return fmt::format("{} evaluations were not enough", o.max_evaluations);
+    case NLOPT_ROUNDOFF_LIMITED:
+      return "round-off stopped further progress";
     case NLOPT_SUCCESS:
-    case NLOPT_STOPVAL_REACHED: return "the search finished";
-    default: return fmt::format("NLopt stopped with {}", nlopt_result_to_string(result));
+    case NLOPT_STOPVAL_REACHED:
+      return "the search finished";
+    default:
+      return fmt::format("NLopt stopped with {}", nlopt_result_to_string(result));
   }
 }
 
 }  // namespace
 
-SearchResult minimise(const SearchProblem& problem, const Eigen::VectorXd& start, const SearchOptions& options,
-                      const std::function<bool()>& cancelled) {
+SearchResult minimise(const SearchProblem& problem, const Eigen::VectorXd& start,
+                      const SearchOptions& options, const std::function<bool()>& cancelled) {
   const auto n = static_cast<unsigned>(start.size());
   nlopt_algorithm algorithm = algorithm_named(options.algorithm);
   if (n == 1 && algorithm == NLOPT_LN_BOBYQA) algorithm = NLOPT_LN_SBPLX;  // BOBYQA needs two coordinates

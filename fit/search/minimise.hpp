@@ -22,16 +22,16 @@ struct SearchResult {
   std::string stop_reason = "not run";
 };
 
-/// What to minimise, and where. `value` must be finite everywhere within the bounds: NLopt 2.7.1 takes NaN for
-/// success.
+/// What to minimise, and where. `value` must be finite everywhere within the bounds: NLopt 2.7.1 takes NaN
+/// for success.
 struct SearchProblem {
   std::function<double(const Eigen::VectorXd&)> value;
   Eigen::VectorXd lower, upper;
 };
 
-/// Runs NLopt from `start`. `cancelled()` is asked before each evaluation and ends the search where it is true.
-/// Throws InputError on an unknown algorithm, and whatever `value` throws.
-SearchResult minimise(const SearchProblem& problem, const Eigen::VectorXd& start, const SearchOptions& options,
-                      const std::function<bool()>& cancelled = {});
+/// Runs NLopt from `start`. `cancelled()` is asked before each evaluation and ends the search where it is
+/// true. Throws InputError on an unknown algorithm, and whatever `value` throws.
+SearchResult minimise(const SearchProblem& problem, const Eigen::VectorXd& start,
+                      const SearchOptions& options, const std::function<bool()>& cancelled = {});
 
 }  // namespace trunk

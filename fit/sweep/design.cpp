@@ -29,7 +29,8 @@ struct Reader {
   std::vector<double> range(const toml::table& t, const std::string& key) const {
     for (const auto& [name, node] : t)
       if (name != "from" && name != "to" && name != "count" && name != "scale")
-        fail(node, fmt::format("unknown '{}' in {}, expected from, to, count and scale", std::string(name.str()), key));
+        fail(node, fmt::format("unknown '{}' in {}, expected from, to, count and scale",
+                               std::string(name.str()), key));
     const double from = number(t.get("from"), t, key + ".from"), to = number(t.get("to"), t, key + ".to");
     const double count = number(t.get("count"), t, key + ".count");
     const std::string scale = t["scale"].value_or(std::string("linear"));
@@ -58,11 +59,13 @@ struct Reader {
 
   void grid(const toml::node& node, SweepDesign& design) const {
     const toml::table* table = node.as_table();
-    if (!table) fail(node, "grid: expected a table, as in [grid] and \"parameters.k_muscle_N_per_m\" = [20, 30]");
+    if (!table)
+      fail(node, "grid: expected a table, as in [grid] and \"parameters.k_muscle_N_per_m\" = [20, 30]");
     for (const auto& [key, value] : *table) {
       const std::string name(key.str());
       if (name.find('.') == std::string::npos)
-        fail(value, fmt::format("grid key '{0}': expected the full name in quotes, as in \"parameters.{0}\"", name));
+        fail(value,
+             fmt::format("grid key '{0}': expected the full name in quotes, as in \"parameters.{0}\"", name));
       design.axes.push_back(axis(name, value));
     }
   }
@@ -111,7 +114,8 @@ std::vector<double> SweepDesign::values_of(std::size_t run) const {
 std::vector<std::string> SweepDesign::settings_of(std::size_t run) const {
   std::vector<std::string> settings;
   const std::vector<double> values = values_of(run);
-  for (std::size_t a = 0; a < axes.size(); ++a) settings.push_back(fmt::format("{}={}", axes[a].key, values[a]));
+  for (std::size_t a = 0; a < axes.size(); ++a)
+    settings.push_back(fmt::format("{}={}", axes[a].key, values[a]));
   return settings;
 }
 
@@ -129,7 +133,8 @@ SweepDesign read_sweep_design(const std::filesystem::path& path) {
   }
   for (const auto& [key, node] : root) {
     if (key == "schema") {
-      if (node.value_exact<std::string>() != "trunk.sweep/1") reader.fail(node, "schema: expected \"trunk.sweep/1\"");
+      if (node.value_exact<std::string>() != "trunk.sweep/1")
+        reader.fail(node, "schema: expected \"trunk.sweep/1\"");
     } else if (key == "title") {
       design.title = node.value_or(design.title);
     } else if (key == "scenarios") {
@@ -137,7 +142,8 @@ SweepDesign read_sweep_design(const std::filesystem::path& path) {
     } else if (key == "grid") {
       reader.grid(node, design);
     } else if (key == "output" && node.is_table() && node.as_table()->size() == 1) {
-      design.frame_every_ms = reader.number(node.as_table()->get("frame_every_ms"), node, "output.frame_every_ms");
+      design.frame_every_ms =
+          reader.number(node.as_table()->get("frame_every_ms"), node, "output.frame_every_ms");
       if (design.frame_every_ms <= 0) reader.fail(node, "output.frame_every_ms: expected more than 0");
     } else {
       reader.fail(node, fmt::format("unknown key '{}', expected schema, title, scenarios, [grid] or [output] "
@@ -145,9 +151,11 @@ SweepDesign read_sweep_design(const std::filesystem::path& path) {
                                     std::string(key.str())));
     }
   }
-  if (design.scenarios.empty()) throw InputError(design.path, 0, "names no scenarios, expected scenarios = [\"healthy.toml\"]");
+  if (design.scenarios.empty())
+    throw InputError(design.path, 0, "names no scenarios, expected scenarios = [\"healthy.toml\"]");
   if (design.runs() > most_runs)
-    throw InputError(design.path, 0, fmt::format("makes {} runs, expected at most {}", design.runs(), most_runs));
+    throw InputError(design.path, 0,
+                     fmt::format("makes {} runs, expected at most {}", design.runs(), most_runs));
   try_everything(design);
   return design;
 }

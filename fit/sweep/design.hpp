@@ -19,17 +19,18 @@ struct SweepDesign {
   std::string path, text;
   std::vector<std::filesystem::path> scenarios;
   std::vector<Axis> axes;
-  double frame_every_ms = 100.0;  // between stored frames: 10 times the scenarios' default, to keep files small
+  double frame_every_ms =
+      100.0;  // between stored frames: 10 times the scenarios' default, to keep files small
 
   std::size_t runs() const noexcept;
   const std::filesystem::path& scenario_of(std::size_t run) const;
-  std::vector<double> values_of(std::size_t run) const;      // one an axis
+  std::vector<double> values_of(std::size_t run) const;         // one an axis
   std::vector<std::string> settings_of(std::size_t run) const;  // key=value, for read_scenario
 };
 
 /// Reads `schema = "trunk.sweep/1"`, `title`, `scenarios = [...]` (relative to the file), `[grid]` with
-/// "scenario.key" = [values] or { from, to, count, scale = "linear" | "log" }, and `[output] frame_every_ms`. Every
-/// scenario is read once, and every key and value tried on it, before anything runs. Throws InputError.
+/// "scenario.key" = [values] or { from, to, count, scale = "linear" | "log" }, and `[output] frame_every_ms`.
+/// Every scenario is read once, and every key and value tried on it, before anything runs. Throws InputError.
 SweepDesign read_sweep_design(const std::filesystem::path& path);
 
 }  // namespace trunk

@@ -28,13 +28,16 @@ std::string read_fingerprint(const fs::path& folder) {
   return fs::exists(file) ? read_text_file(file, 1000) : "";
 }
 
-fs::path run_path(const fs::path& folder, std::size_t run) { return folder / fmt::format("runs/{:05}.h5", run); }
+fs::path run_path(const fs::path& folder, std::size_t run) {
+  return folder / fmt::format("runs/{:05}.h5", run);
+}
 
 void make_folder(const fs::path& path) {
   const fs::path parent = path.has_parent_path() ? path.parent_path() : fs::path(".");
   if (!fs::is_directory(parent))
     throw InputError(path.string(), 0, "cannot be made: there is no folder '" + parent.string() + "'");
-  if (fs::exists(path) && !fs::is_directory(path)) throw InputError(path.string(), 0, "is a file, expected a folder");
+  if (fs::exists(path) && !fs::is_directory(path))
+    throw InputError(path.string(), 0, "is a file, expected a folder");
   std::error_code error;
   fs::create_directories(path / "runs", error);
   if (error) throw InputError(path.string(), 0, "cannot be made: " + error.message());
@@ -50,9 +53,10 @@ SweepFolder::SweepFolder(fs::path path, const SweepDesign& design, bool force) :
     throw InputError(path_.string(), 0, "is not empty and holds no sweep, expected a new folder or --force");
   if (!found.empty() && found != mine) {
     if (!force)
-      throw InputError(path_.string(), 0,
-                       "holds another sweep (its design, a scenario or the program differs); expected a new folder, "
-                       "or --force to delete its runs");
+      throw InputError(
+          path_.string(), 0,
+          "holds another sweep (its design, a scenario or the program differs); expected a new folder, "
+          "or --force to delete its runs");
     fs::remove_all(path_ / "runs");
     fs::remove(sweep_file());
     fs::remove(table_file());
@@ -63,9 +67,15 @@ SweepFolder::SweepFolder(fs::path path, const SweepDesign& design, bool force) :
   if (found.empty()) replace_file(path_ / "fingerprint", std::as_bytes(std::span(mine)));
 }
 
-fs::path SweepFolder::run_file(std::size_t run) const { return run_path(path_, run); }
-std::string SweepFolder::run_file_name(std::size_t run) const { return run_path("", run).string(); }
-bool SweepFolder::is_done(std::size_t run) const { return is_complete(run_file(run)); }
+fs::path SweepFolder::run_file(std::size_t run) const {
+  return run_path(path_, run);
+}
+std::string SweepFolder::run_file_name(std::size_t run) const {
+  return run_path("", run).string();
+}
+bool SweepFolder::is_done(std::size_t run) const {
+  return is_complete(run_file(run));
+}
 
 SweepProgress progress_of(const fs::path& folder) {
   SweepProgress progress;
@@ -73,7 +83,8 @@ SweepProgress progress_of(const fs::path& folder) {
   const auto parsed = std::from_chars(found.data(), found.data() + found.size(), progress.runs);
   if (found.empty() || parsed.ec != std::errc())
     throw InputError(folder.string(), 0, "holds no sweep, expected a folder written by `trunk sweep`");
-  for (std::size_t run = 0; run < progress.runs; ++run) progress.done += is_complete(run_path(folder, run)) ? 1 : 0;
+  for (std::size_t run = 0; run < progress.runs; ++run)
+    progress.done += is_complete(run_path(folder, run)) ? 1 : 0;
   progress.has_table = fs::exists(folder / "sweep.h5");
   return progress;
 }

@@ -17,8 +17,9 @@ namespace trunk {
 ///     DIR/table.csv          the table
 class SweepFolder {
  public:
-  /// Opens or creates. Throws InputError where the folder belongs to another sweep (design, scenarios or program
-  /// version differ) and not `force`, or cannot be made or written to. With `force` such runs are deleted.
+  /// Opens or creates. Throws InputError where the folder belongs to another sweep (design, scenarios or
+  /// program version differ) and not `force`, or cannot be made or written to. With `force` such runs are
+  /// deleted.
   SweepFolder(std::filesystem::path path, const SweepDesign& design, bool force);
 
   std::filesystem::path run_file(std::size_t run) const;

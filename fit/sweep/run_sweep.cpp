@@ -36,7 +36,8 @@ Finished simulate_run(const SweepDesign& design, std::size_t run, const Provenan
 SweepRow row_of(const Finished& finished) {
   if (!finished.record) return {"invalid", finished.error, {}, {}, {}};
   const RunRecord& r = *finished.record;
-  return {r.status, r.status == "completed" ? "" : r.message, r.measures, r.curve_time_s, r.curves.front().values};
+  return {r.status, r.status == "completed" ? "" : r.message, r.measures, r.curve_time_s,
+          r.curves.front().values};
 }
 
 SweepRow row_of(const RunSummary& s) {

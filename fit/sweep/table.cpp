@@ -35,7 +35,8 @@ std::string quoted(std::string text) {
 SweepTable::SweepTable(const SweepDesign& design) : design_(design), rows_(design.runs()) {}
 
 void SweepTable::add(std::size_t run, std::string run_file, const SweepRow& row) {
-  rows_[run] = {row.status, row.error, std::move(run_file), row.measures, thinned(row.curve_time_s, row.curve_dV_ml)};
+  rows_[run] = {row.status, row.error, std::move(run_file), row.measures,
+                thinned(row.curve_time_s, row.curve_dV_ml)};
 }
 
 std::size_t SweepTable::failures() const noexcept {
@@ -67,9 +68,10 @@ std::string SweepTable::csv() const {
   std::string text = "run,scenario,status,error";
   for (const NamedColumn& c : all) text += "," + c.name;
   for (std::size_t run = 0; run < rows_.size(); ++run) {
-    text += fmt::format("\n{},{},{},{}", run, quoted(design_.scenario_of(run).stem().string()), rows_[run].status,
-                        quoted(rows_[run].error));
-    for (const NamedColumn& c : all) text += std::isfinite(c.values[run]) ? fmt::format(",{}", c.values[run]) : ",";
+    text += fmt::format("\n{},{},{},{}", run, quoted(design_.scenario_of(run).stem().string()),
+                        rows_[run].status, quoted(rows_[run].error));
+    for (const NamedColumn& c : all)
+      text += std::isfinite(c.values[run]) ? fmt::format(",{}", c.values[run]) : ",";
   }
   return text + "\n";
 }
@@ -81,7 +83,8 @@ void SweepTable::write(const SweepFolder& folder, const Provenance& provenance) 
   record.columns = columns();
   std::size_t longest = 0;
   for (const Kept& k : rows_) longest = std::max(longest, k.curve.size());
-  for (std::size_t i = 0; i < longest; ++i) record.curve_time_s.push_back(static_cast<double>(i) * curve_step_s);
+  for (std::size_t i = 0; i < longest; ++i)
+    record.curve_time_s.push_back(static_cast<double>(i) * curve_step_s);
   for (std::size_t run = 0; run < rows_.size(); ++run) {
     const Kept& k = rows_[run];
     record.scenario.push_back(design_.scenario_of(run).stem().string());

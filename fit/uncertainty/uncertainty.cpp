@@ -17,8 +17,8 @@ constexpr double at_bound_margin = 1e-4;     // in log coordinates
 
 Estimate estimate(std::string name, std::string unit, double value, double log_stderr, double quantile) {
   const double spread = std::exp(std::min(quantile * log_stderr, 700.0));
-  Estimate e{std::move(name), std::move(unit), value, value * log_stderr, value / spread, value * spread,
-             false, spread * spread < widest_identifiable};
+  Estimate e{std::move(name), std::move(unit), value, value * log_stderr,
+             value / spread,  value * spread,  false, spread * spread < widest_identifiable};
   return e;
 }
 
@@ -36,14 +36,15 @@ Uncertainty exact(const Objective& objective, const Eigen::VectorXd& x) {
   const double unknown = std::nan("");
   for (std::size_t i = 0; i < space.size(); ++i) {
     const FreeParameter& p = space.parameter(i);
-    u.parameters.push_back({std::string(p.name), std::string(p.unit), p.field(best), unknown, unknown, unknown,
-                            false, true});
+    u.parameters.push_back(
+        {std::string(p.name), std::string(p.unit), p.field(best), unknown, unknown, unknown, false, true});
   }
   u.identifiable = true;
   u.residual_autocorrelation = u.condition_number = unknown;
   u.log_covariance = u.correlation = Eigen::MatrixXd::Constant(x.size(), x.size(), unknown);
-  u.verdict = "Solved exactly from one number: no uncertainty can be given, and only the ratio "
-              "k_muscle/k_elasticity is determined.";
+  u.verdict =
+      "Solved exactly from one number: no uncertainty can be given, and only the ratio "
+      "k_muscle/k_elasticity is determined.";
   return u;
 }
 
@@ -99,7 +100,8 @@ Uncertainty assess(Objective& objective, const Eigen::VectorXd& x) {
   const Eigen::MatrixXd to_logs = space.log_values_by_coordinates();
   u.log_covariance = to_logs * covariance * to_logs.transpose();
   const Eigen::VectorXd deviation = u.log_covariance.diagonal().cwiseSqrt().cwiseMax(1e-300);
-  u.correlation = deviation.cwiseInverse().asDiagonal() * u.log_covariance * deviation.cwiseInverse().asDiagonal();
+  u.correlation =
+      deviation.cwiseInverse().asDiagonal() * u.log_covariance * deviation.cwiseInverse().asDiagonal();
   u.condition_number = condition_of(jacobian * to_logs.inverse());
 
   const double quantile = gsl_cdf_tdist_Pinv(0.975, freedom);
@@ -116,8 +118,8 @@ Uncertainty assess(Objective& objective, const Eigen::VectorXd& x) {
                          std::sqrt(covariance(row, row)), quantile);
     u.parameters.push_back(std::move(e));
   }
-  u.identifiable = std::all_of(u.parameters.begin(), u.parameters.end(),
-                               [](const Estimate& e) { return e.identifiable; });
+  u.identifiable =
+      std::all_of(u.parameters.begin(), u.parameters.end(), [](const Estimate& e) { return e.identifiable; });
   u.verdict = verdict_of(u);
   return u;
 }

@@ -36,12 +36,12 @@ Eigen::MatrixXd least_squares_covariance(const Eigen::MatrixXd& jacobian, double
 
 double lag_one_autocorrelation(const Eigen::VectorXd& residuals);
 
-/// Central differences of the residuals, [samples, free]; one-sided at a bound. Throws std::runtime_error where
-/// no neighbour of `x` can be simulated.
+/// Central differences of the residuals, [samples, free]; one-sided at a bound. Throws std::runtime_error
+/// where no neighbour of `x` can be simulated.
 Eigen::MatrixXd residual_jacobian(Objective& objective, const Eigen::VectorXd& x);
 
-/// A free parameter is called identifiable where its 95 % interval spans less than a factor of 4 and it is not
-/// at a bound (our choice).
+/// A free parameter is called identifiable where its 95 % interval spans less than a factor of 4 and it is
+/// not at a bound (our choice).
 Uncertainty assess(Objective& objective, const Eigen::VectorXd& x);
 
 }  // namespace trunk

@@ -13,7 +13,8 @@ std::string with_interval(const Estimate& e) {
   const std::string unit = e.unit == "1" ? "" : " " + e.unit;
   if (percent < 50.0) return fmt::format("{} = {:.4g}{} within {:.2g} %", e.name, e.value, unit, percent);
   if (percent < 1000.0)
-    return fmt::format("{} = {:.3g}{}, anywhere from {:.2g} to {:.2g}", e.name, e.value, unit, e.lower95, e.upper95);
+    return fmt::format("{} = {:.3g}{}, anywhere from {:.2g} to {:.2g}", e.name, e.value, unit, e.lower95,
+                       e.upper95);
   return fmt::format("{} not at all (uncertain by more than a factor of {})", e.name,
                      e.upper95 / e.value > 1000.0 ? "1000" : "10");
 }
@@ -22,7 +23,9 @@ std::string with_interval(const Estimate& e) {
 
 std::string verdict_of(const Uncertainty& u) {
   std::string determined, open;
-  const auto add = [](std::string& list, const std::string& item) { list += (list.empty() ? "" : "; ") + item; };
+  const auto add = [](std::string& list, const std::string& item) {
+    list += (list.empty() ? "" : "; ") + item;
+  };
   const bool ratio_matters = !u.identifiable && u.ratio.identifiable;
   if (ratio_matters) add(determined, with_interval(u.ratio));
   for (const Estimate& e : u.parameters) {
@@ -34,9 +37,12 @@ std::string verdict_of(const Uncertainty& u) {
   }
   if (open.empty()) return fmt::format("Determined by this trace: {}.", determined);
   return fmt::format(
-      "{}{}Not determined by this trace: {}. A deeper and a shallower breath, a longer undisturbed expiration, or a "
+      "{}{}Not determined by this trace: {}. A deeper and a shallower breath, a longer undisturbed "
+      "expiration, or a "
       "measured dome or chest-wall motion would settle it.",
-      ratio_matters ? "Only the ratio is determined: " : determined.empty() ? "" : "Determined by this trace: ",
+      ratio_matters        ? "Only the ratio is determined: "
+      : determined.empty() ? ""
+                           : "Determined by this trace: ",
       determined.empty() ? "" : determined + ". ", open);
 }
 

@@ -55,11 +55,11 @@ VolumeCurve simulate_volume(const Trunk& trunk, const Parameters<double>& parame
   const double start_volume = enclosed_volume<double>(model.lung, model.rest);
   VolumeCurve curve;
   curve.delta_v.reserve(static_cast<std::size_t>(grid.steps()) + 1);
-  curve.summary = simulate(model, parameters, activation, grid,
-                           [&](int, double, const State<double>& state, const StepReport<double>&) {
-                             curve.delta_v.push_back(enclosed_volume<double>(model.lung, state.position) -
-                                                     start_volume);
-                           });
+  curve.summary =
+      simulate(model, parameters, activation, grid,
+               [&](int, double, const State<double>& state, const StepReport<double>&) {
+                 curve.delta_v.push_back(enclosed_volume<double>(model.lung, state.position) - start_volume);
+               });
   return curve;
 }
 

@@ -9,7 +9,8 @@ namespace trunk {
 namespace {
 
 Vec3d imposed_axes(const Vec3d& direction) {
-  return {direction.x() != 0.0 ? 1.0 : 0.0, direction.y() != 0.0 ? 1.0 : 0.0, direction.z() != 0.0 ? 1.0 : 0.0};
+  return {direction.x() != 0.0 ? 1.0 : 0.0, direction.y() != 0.0 ? 1.0 : 0.0,
+          direction.z() != 0.0 ? 1.0 : 0.0};
 }
 
 std::string names_of(const std::map<std::string, std::vector<int>>& regions) {

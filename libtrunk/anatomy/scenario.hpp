@@ -15,9 +15,9 @@ struct RegionLoad {
   enum class Kind { force, displacement };
   Kind kind = Kind::force;
   std::string region;
-  Vec3d direction;          // as given; a displacement is imposed on the axes where it is not 0
+  Vec3d direction;            // as given; a displacement is imposed on the axes where it is not 0
   PiecewiseLinear magnitude;  // N a particle, or m
-  std::string origin;       // file:line, for messages
+  std::string origin;         // file:line, for messages
 };
 
 /// One breath to simulate: everything a scenario file says, in SI units.

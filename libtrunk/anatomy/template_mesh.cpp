@@ -15,9 +15,9 @@ namespace {
 
 constexpr int around = 12;  // particles in a full ring
 
-// Profile of the diaphragm above the zone of apposition, as fractions of the trunk's half-axes and of the dome
-// height: steep muscular flanks up to the border of the central tendon, flat above it, a slight saddle between
-// the domes where the heart lies (our choice).
+// Profile of the diaphragm above the zone of apposition, as fractions of the trunk's half-axes and of the
+// dome height: steep muscular flanks up to the border of the central tendon, flat above it, a slight saddle
+// between the domes where the heart lies (our choice).
 constexpr double tendon_border_size = 0.76, tendon_border_height = 0.75;
 constexpr double dome_top_size = 0.62, saddle_height = 0.95;
 
@@ -48,8 +48,9 @@ struct Builder {
   }
 };
 
-/// Joins two rings, `upper` above or inside `lower`, by triangles that face outward or up. Of the two possible
-/// diagonals the one that spans the smaller angle; ties alternate by quadrant, so that the mesh mirrors.
+/// Joins two rings, `upper` above or inside `lower`, by triangles that face outward or up. Of the two
+/// possible diagonals the one that spans the smaller angle; ties alternate by quadrant, so that the mesh
+/// mirrors.
 void stitch(const Level& lower, const Level& upper, std::vector<Triangle>& triangles) {
   const std::size_t lower_count = lower.angles.size(), upper_count = upper.angles.size();
   const auto angle = [](const Level& level, std::size_t k) {
@@ -90,8 +91,14 @@ void connect_abdomen(TemplateMesh& m) {
   auto& triangles = m.abdomen;
   cap(m.pelvis, m.pelvic_floor, triangles);
   turn_over(triangles);  // the floor faces down
-  const Level* wall[] = {&m.pelvis, &m.abdominal_wall_low, &m.abdominal_wall_high, &m.costal_insertion,
-                         &m.apposition_middle, &m.apposition_top, &m.tendon_border, &m.dome_top};
+  const Level* wall[] = {&m.pelvis,
+                         &m.abdominal_wall_low,
+                         &m.abdominal_wall_high,
+                         &m.costal_insertion,
+                         &m.apposition_middle,
+                         &m.apposition_top,
+                         &m.tendon_border,
+                         &m.dome_top};
   for (std::size_t k = 0; k + 1 < std::size(wall); ++k) stitch(*wall[k], *wall[k + 1], triangles);
   cap(m.dome_top, m.dome_saddle, triangles);
 }

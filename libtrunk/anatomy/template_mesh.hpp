@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "anatomy/trunk_options.hpp"
-#include "mesh/surface.hpp"
 #include "math/vec3.hpp"
+#include "mesh/surface.hpp"
 
 namespace trunk {
 
@@ -29,9 +29,19 @@ struct TemplateMesh {
   std::size_t distinct_triangles() const;
 
   std::vector<const Level*> levels() const {
-    return {&pelvic_floor,     &pelvis,         &abdominal_wall_low, &abdominal_wall_high, &costal_insertion,
-            &apposition_middle, &apposition_top, &tendon_border,      &dome_top,            &dome_saddle,
-            &lung_base,        &lung_upper,     &lung_top};
+    return {&pelvic_floor,
+            &pelvis,
+            &abdominal_wall_low,
+            &abdominal_wall_high,
+            &costal_insertion,
+            &apposition_middle,
+            &apposition_top,
+            &tendon_border,
+            &dome_top,
+            &dome_saddle,
+            &lung_base,
+            &lung_upper,
+            &lung_top};
   }
 };
 

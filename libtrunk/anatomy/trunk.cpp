@@ -9,7 +9,9 @@
 namespace trunk {
 namespace {
 
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
+std::size_t index(int i) {
+  return static_cast<std::size_t>(i);
+}
 
 std::vector<const Level*> diaphragm_levels(const TemplateMesh& m) {
   return {&m.costal_insertion, &m.apposition_middle, &m.apposition_top,
@@ -36,8 +38,7 @@ std::vector<double> abdominal_shares(const TemplateMesh& m) {
 }
 
 std::vector<Fibre> make_fibres(const TemplateMesh& m, const Tissue& tissue) {
-  const Level& end =
-      tissue.fibre_end == FibreEnd::tendon_border ? m.tendon_border : m.apposition_top;
+  const Level& end = tissue.fibre_end == FibreEnd::tendon_border ? m.tendon_border : m.apposition_top;
   std::vector<Fibre> fibres;
   for (std::size_t k = 0; k < end.particles.size(); ++k) {
     const int insertion = m.costal_insertion.particles[k];
@@ -51,9 +52,9 @@ std::vector<Fibre> make_fibres(const TemplateMesh& m, const Tissue& tissue) {
 std::vector<int> spine(const TemplateMesh& m) {
   std::vector<int> particles;
   for (const Level* level : {&m.abdominal_wall_low, &m.abdominal_wall_high, &m.costal_insertion})
-    particles.push_back(*std::min_element(level->particles.begin(), level->particles.end(), [&](int a, int b) {
-      return m.rest[index(a)].y() < m.rest[index(b)].y();
-    }));
+    particles.push_back(
+        *std::min_element(level->particles.begin(), level->particles.end(),
+                          [&](int a, int b) { return m.rest[index(a)].y() < m.rest[index(b)].y(); }));
   return particles;
 }
 
@@ -62,8 +63,8 @@ void hold(Model& model, const std::vector<int>& particles) {
 }
 
 /// The rib cage outside the zone of apposition: the tangent plane of the trunk's ellipse at each particle. A
-/// particle slides along it freely (our choice); sliding sideways by s it may leave the ellipse by s^2/2R, under
-/// 0.05 mm for the few mm it does.
+/// particle slides along it freely (our choice); sliding sideways by s it may leave the ellipse by s^2/2R,
+/// under 0.05 mm for the few mm it does.
 std::vector<Support> make_supports(const TrunkGeometry& g, const TemplateMesh& m, const Model& model) {
   std::vector<Support> supports;
   const auto& vertex = model.abdomen.rings.vertex;
@@ -93,10 +94,14 @@ void require_possible(const TrunkGeometry& g, const Tissue& tissue) {
 
 double share_of_side(Side side, double x) {
   switch (side) {
-    case Side::none: return 0.0;
-    case Side::both: return 1.0;
-    case Side::right: return x > 0.0 ? 1.0 : x < 0.0 ? 0.0 : 0.5;
-    case Side::left: return share_of_side(Side::right, -x);
+    case Side::none:
+      return 0.0;
+    case Side::both:
+      return 1.0;
+    case Side::right:
+      return x > 0.0 ? 1.0 : x < 0.0 ? 0.0 : 0.5;
+    case Side::left:
+      return share_of_side(Side::right, -x);
   }
   return 0.0;
 }
@@ -121,8 +126,8 @@ Trunk make_trunk(const TrunkGeometry& geometry, const Tissue& tissue, Reaction r
   model.shape_memory = make_shape_memory(abdomen, mesh.rest, stiffness_weights(mesh, tissue),
                                          abdominal_shares(mesh), reaction);
   model.fibres = make_fibres(mesh, tissue);
-  model.abdomen = {mesh.abdomen, ring_table(abdomen),
-                   enclosed_volume<double>(abdomen.triangles(), mesh.rest), {}};
+  model.abdomen = {
+      mesh.abdomen, ring_table(abdomen), enclosed_volume<double>(abdomen.triangles(), mesh.rest), {}};
   model.lung = mesh.lung;
   for (const char* region : {"pelvis", "spine", "lung_wall", "lung_top"}) hold(model, trunk.regions[region]);
   if (tissue.ribs) {

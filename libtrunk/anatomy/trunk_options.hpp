@@ -19,17 +19,18 @@ enum class Side { none, right, left, both };
 
 /// Where the muscle fibres end; they begin at the costal insertion.
 ///  - tendon_border: the border of the central tendon (the paper's introduction: the tendon "originates the
-///    muscular fibers", inserted on the ribs). Our choice, the default: it reproduces the measured shape change.
+///    muscular fibers", inserted on the ribs). Our choice, the default: it reproduces the measured shape
+///    change.
 ///  - apposition_top: the top of the zone of apposition (the paper's model: "vertical and along the zone of
 ///    apposition").
 enum class FibreEnd { tendon_border, apposition_top };
 
 /// Everything about tissue, muscle and skeleton that is not a fitted parameter.
 struct Tissue {
-  double particle_mass = 0.2;        // kg; our choice
-  double tendon_factor = 2.0;        // stiffness of the central tendon over the other diaphragm (paper)
+  double particle_mass = 0.2;  // kg; our choice
+  double tendon_factor = 2.0;  // stiffness of the central tendon over the other diaphragm (paper)
   FibreEnd fibre_end = FibreEnd::tendon_border;
-  bool ribs = true;                  // costal insertion held, zone of apposition not crossing the rib cage
+  bool ribs = true;  // costal insertion held, zone of apposition not crossing the rib cage
   Side paralysed = Side::none;
   double paralysed_stiffness = 0.5;  // elasticity left in a paralysed hemidiaphragm, times the healthy one
 };

@@ -54,8 +54,8 @@ void slide_along_supports(const Model& model, const State<S>& state, Workspace<S
   }
 }
 
-/// Volume at corrected + lambda direction. With V(x) = T(x, x, x) and T trilinear and symmetric, the gradients
-/// at x and at d give all four coefficients (Euler's theorem on homogeneous functions).
+/// Volume at corrected + lambda direction. With V(x) = T(x, x, x) and T trilinear and symmetric, the
+/// gradients at x and at d give all four coefficients (Euler's theorem on homogeneous functions).
 template <Scalar S>
 VolumeCubic<S> volume_along_direction(const RingTable& rings, Workspace<S>& w) noexcept {
   calc_volume_gradient<S>(rings, w.direction, w.direction_gradient);
@@ -71,8 +71,8 @@ VolumeCubic<S> volume_along_direction(const RingTable& rings, Workspace<S>& w) n
   return {S(1.0 / 3.0) * total(c0), total(c1), total(c2), S(1.0 / 3.0) * total(c3)};
 }
 
-/// A particle touches where, corrected as if its support were absent, it would be outside. Returns true in the
-/// lanes where every support keeps its side. (predicted, free_direction) => contact
+/// A particle touches where, corrected as if its support were absent, it would be outside. Returns true in
+/// the lanes where every support keeps its side. (predicted, free_direction) => contact
 template <Scalar S>
 Mask<S> update_touching(const Model& model, const S& multiplier, const Workspace<S>& w,
                         State<S>& state) noexcept {
@@ -100,10 +100,10 @@ Mask<S> bracket_is_point(const S& low, const S& high) noexcept {
 }  // namespace detail
 
 /// Solves for positions that enclose the target volume exactly (paper, eq. 2) and cross no support, together:
-/// x = predicted + lambda d, put back on the plane where that is outside, with V(x) = target. The direction d is
-/// dV/dP at the predicted positions, those that touched at the last step put back on their plane (our choice).
-/// V(x(lambda)) increases with lambda piece by piece, a cubic each; the search for the right piece starts from
-/// the last step's, takes the root of each piece, and halves the bracket where that leaves it.
+/// x = predicted + lambda d, put back on the plane where that is outside, with V(x) = target. The direction d
+/// is dV/dP at the predicted positions, those that touched at the last step put back on their plane (our
+/// choice). V(x(lambda)) increases with lambda piece by piece, a cubic each; the search for the right piece
+/// starts from the last step's, takes the root of each piece, and halves the bracket where that leaves it.
 /// (predicted, state.contact) => corrected, state.contact
 template <Scalar S>
 Projection<S> project_volume_and_supports(const Model& model, const S& target, State<S>& state,

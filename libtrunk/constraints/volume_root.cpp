@@ -24,8 +24,8 @@ std::optional<double> nearest_real_root(const VolumeCubic<double>& cubic, double
   std::array<double, 3> roots{};
   int count = 0;
   if (cubic.c3 != 0.0)
-    count = gsl_poly_solve_cubic(cubic.c2 / cubic.c3, cubic.c1 / cubic.c3, d / cubic.c3, &roots[0],
-                                 &roots[1], &roots[2]);
+    count = gsl_poly_solve_cubic(cubic.c2 / cubic.c3, cubic.c1 / cubic.c3, d / cubic.c3, &roots[0], &roots[1],
+                                 &roots[2]);
   else
     count = gsl_poly_solve_quadratic(cubic.c2, cubic.c1, d, &roots[0], &roots[1]);
   return nearest_to_zero(roots, count);

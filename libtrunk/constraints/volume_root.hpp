@@ -12,9 +12,7 @@ struct VolumeCubic {
   S c0, c1, c2, c3;
 
   S operator()(const S& lambda) const noexcept { return c0 + lambda * (c1 + lambda * (c2 + lambda * c3)); }
-  S slope(const S& lambda) const noexcept {
-    return c1 + lambda * (S(2.0) * c2 + lambda * S(3.0) * c3);
-  }
+  S slope(const S& lambda) const noexcept { return c1 + lambda * (S(2.0) * c2 + lambda * S(3.0) * c3); }
 };
 
 /// The real root of cubic(lambda) = target nearest to 0, by GSL's closed form; none where there is no real

@@ -40,9 +40,9 @@ bool within_reach(const Model& model, const State<S>& state, double reach_m) noe
 /// Height of the model at rest, m: a particle that moved farther than this has left the trunk.
 double height(const Model& model);
 
-/// Runs from rest over the grid. `observe(step, activation, state, report)` is called at step 0 and after each
-/// step. Stops early, with the status and time in the Summary, where the volume cannot be held or a particle
-/// moves farther than the trunk is tall.
+/// Runs from rest over the grid. `observe(step, activation, state, report)` is called at step 0 and after
+/// each step. Stops early, with the status and time in the Summary, where the volume cannot be held or a
+/// particle moves farther than the trunk is tall.
 template <Scalar S, class Observer>
 Summary simulate(const Model& model, const Parameters<S>& parameters, const BreathActivation<S>& activation,
                  const TimeGrid& grid, Observer&& observe) {

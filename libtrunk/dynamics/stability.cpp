@@ -21,7 +21,8 @@ Field uneven_field(const Model& model) {
   Field field;
   for (std::size_t i = 0; i < model.particles(); ++i) {
     const double a = static_cast<double>(i) + 1.0;
-    field.push_back(scaled(model.mobility[i], Vec3d{std::sin(12.9 * a), std::sin(78.2 * a), std::sin(37.7 * a)}));
+    field.push_back(
+        scaled(model.mobility[i], Vec3d{std::sin(12.9 * a), std::sin(78.2 * a), std::sin(37.7 * a)}));
   }
   return field;
 }

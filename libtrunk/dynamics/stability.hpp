@@ -1,13 +1,14 @@
 #pragma once
 
-#include "model/parameters.hpp"
 #include "model/model.hpp"
+#include "model/parameters.hpp"
 
 namespace trunk {
 
 /// The longest stable time step at rest with full activation, s. The highest angular frequency w of
-/// M^-1 dF/dx comes from power iteration on finite differences of the forces; semi-implicit Euler with implicit
-/// damping (rate g = c/m) is stable while dt^2 w^2 < 4 + 2 g dt, hence dt < (g + sqrt(g^2 + 4 w^2)) / w^2.
+/// M^-1 dF/dx comes from power iteration on finite differences of the forces; semi-implicit Euler with
+/// implicit damping (rate g = c/m) is stable while dt^2 w^2 < 4 + 2 g dt, hence dt < (g + sqrt(g^2 + 4 w^2))
+/// / w^2.
 double stable_time_step(const Model& model, const Parameters<double>& parameters);
 
 }  // namespace trunk

@@ -8,8 +8,7 @@ namespace trunk {
 /// damping -c v, is taken implicitly by the integrator. () => force
 template <Scalar S>
 void set_gravity(const Model& model, std::span<Vec3<S>> force) noexcept {
-  for (std::size_t i = 0; i < model.particles(); ++i)
-    force[i] = S(model.mass[i]) * lift<S>(model.gravity);
+  for (std::size_t i = 0; i < model.particles(); ++i) force[i] = S(model.mass[i]) * lift<S>(model.gravity);
 }
 
 }  // namespace trunk

@@ -10,9 +10,9 @@ namespace trunk {
 /// More neighbours than any sensible mesh has; bounds the kernel's stack.
 inline constexpr std::size_t max_valence = 64;
 
-/// The local frame of a one-ring: centre G of the neighbours, unit normal n of their area vector, u toward the
-/// first neighbour within the surface, v = n x u (paper, figure "local coordinate system"; u is our choice).
-/// It does not depend on the particle itself.
+/// The local frame of a one-ring: centre G of the neighbours, unit normal n of their area vector, u toward
+/// the first neighbour within the surface, v = n x u (paper, figure "local coordinate system"; u is our
+/// choice). It does not depend on the particle itself.
 template <Scalar S>
 struct LocalFrame {
   Vec3<S> centre, u, v, n;
@@ -23,7 +23,8 @@ struct LocalFrame {
 
 /// neighbours: [valence] positions in ring order, m. The valence may be a compile-time extent.
 template <Scalar S, std::size_t Extent>
-[[gnu::always_inline]] inline LocalFrame<S> local_frame(std::span<const Vec3<S>, Extent> neighbours) noexcept {
+[[gnu::always_inline]] inline LocalFrame<S> local_frame(
+    std::span<const Vec3<S>, Extent> neighbours) noexcept {
   using std::sqrt;
   const std::size_t m = neighbours.size();
   const Vec3<S> first = neighbours[0];
@@ -60,9 +61,10 @@ Vec3<S> target_offset(const LocalFrame<S>& frame, const Vec3d& rest_offset) noex
 /// Adds the shape-memory force F = k (T - P) of one particle and its reactions on the neighbours.
 /// (position, k) => force. The variational reactions are derived in README, "Design".
 template <Reaction reaction, Scalar S, std::size_t Valence>
-[[gnu::always_inline]] inline void add_shape_memory_of(std::size_t vertex, std::span<const int, Valence> ring, const Vec3d& rest_offset,
-                         const S& stiffness, std::span<const Vec3<S>> position,
-                         std::span<Vec3<S>> force) noexcept {
+[[gnu::always_inline]] inline void add_shape_memory_of(std::size_t vertex, std::span<const int, Valence> ring,
+                                                       const Vec3d& rest_offset, const S& stiffness,
+                                                       std::span<const Vec3<S>> position,
+                                                       std::span<Vec3<S>> force) noexcept {
   const std::size_t valence = ring.size();
   std::array<Vec3<S>, Valence == std::dynamic_extent ? max_valence : Valence> neighbours;
   for (std::size_t j = 0; j < valence; ++j) neighbours[j] = position[static_cast<std::size_t>(ring[j])];
@@ -79,7 +81,8 @@ template <Reaction reaction, Scalar S, std::size_t Valence>
   } else {
     const Vec3<S> torque = cross(offset, f);
     const S spin = dot(torque, frame.n);  // turns u: taken up by the first neighbour
-    const Vec3<S> tilt = cross(torque, frame.n) - (spin * frame.first_height * frame.inverse_radius) * frame.v;
+    const Vec3<S> tilt =
+        cross(torque, frame.n) - (spin * frame.first_height * frame.inverse_radius) * frame.v;
     const Vec3<S> tilt_per_area = frame.inverse_area * (tilt - dot(tilt, frame.n) * frame.n);
     const Vec3<S> spin_force = (spin * frame.inverse_radius) * frame.v;
     const Vec3<S> common = share * (f - spin_force);

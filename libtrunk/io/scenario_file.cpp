@@ -102,7 +102,8 @@ PiecewiseLinear read_events(const toml::node& node, const std::string& what, dou
   std::vector<PiecewiseLinear::Event> events;
   for (const toml::node& item : *list) {
     const toml::array* pair = item.as_array();
-    if (!pair || pair->size() != 2) place.fail(fmt::format("{} has {}, expected {}", what, shown(item), expected));
+    if (!pair || pair->size() != 2)
+      place.fail(fmt::format("{} has {}, expected {}", what, shown(item), expected));
     events.push_back({number_of(*pair->get(0), what, expected, place),
                       to_si * number_of(*pair->get(1), what, expected, place)});
   }
@@ -116,7 +117,8 @@ PiecewiseLinear read_events(const toml::node& node, const std::string& what, dou
 Vec3d read_direction(const toml::node& node, const std::string& what, const Place& place) {
   const std::string expected = "three numbers [right, forward, up]";
   const toml::array* list = node.as_array();
-  if (!list || list->size() != 3) place.fail(fmt::format("{} is {}, expected {}", what, shown(node), expected));
+  if (!list || list->size() != 3)
+    place.fail(fmt::format("{} is {}, expected {}", what, shown(node), expected));
   const auto at = [&](std::size_t i) { return number_of(*list->get(i), what, expected, place); };
   const Vec3d direction{at(0), at(1), at(2)};
   if (dot(direction, direction) == 0.0) place.fail(what + " is zero, expected a direction");
@@ -234,12 +236,13 @@ class Reader {
         else if (key == events_key)
           load.magnitude = read_events(value, path + "." + key, is_force ? 1.0 : 1e-3, 0.0, at);
         else
-          at.fail(fmt::format("unknown or wrong key '{}' in [[{}]], expected region (a text), direction and {}",
-                              key, path, events_key));
+          at.fail(
+              fmt::format("unknown or wrong key '{}' in [[{}]], expected region (a text), direction and {}",
+                          key, path, events_key));
       }
       if (load.region.empty() || load.magnitude.empty() || dot(load.direction, load.direction) == 0.0)
-        throw InputError(fmt::format("{}: [[{}]] is incomplete, expected region, direction and {}", load.origin,
-                                     path, events_key));
+        throw InputError(fmt::format("{}: [[{}]] is incomplete, expected region, direction and {}",
+                                     load.origin, path, events_key));
       file_.scenario.loads.push_back(load);
     }
   }

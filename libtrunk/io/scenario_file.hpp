@@ -13,7 +13,7 @@ namespace trunk {
 struct ScenarioFile {
   Scenario scenario;
   std::string path;
-  std::string text;                          // the file as read
+  std::string text;                           // the file as read
   std::vector<std::filesystem::path> inputs;  // the file and those it extends, for provenance
   std::map<std::string, std::string> origin;  // key path -> file:line of the value in force
 
@@ -33,8 +33,8 @@ Trunk build_trunk(const ScenarioFile& file);
 /// The whole scenario as TOML, every key with its value: reading it gives the same scenario.
 std::string to_toml(const Scenario& scenario);
 
-/// A copy of the file at `from` in which the values of `keys` are those of `scenario`; comments and order stay.
-/// Throws InputError where a key is not set in that file.
+/// A copy of the file at `from` in which the values of `keys` are those of `scenario`; comments and order
+/// stay. Throws InputError where a key is not set in that file.
 std::string with_values(const std::filesystem::path& from, const std::vector<std::string>& keys,
                         const Scenario& scenario);
 

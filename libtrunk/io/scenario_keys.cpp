@@ -11,51 +11,65 @@ using Key = ScenarioKey;
 constexpr double mm = 1e-3, ml = 1e-6, ms = 1e-3, one = 1.0;
 
 std::vector<Key> make_keys() {
-  const auto number = [](auto path, auto unit, double to_si, double low, double high, auto field, auto meaning) {
+  const auto number = [](auto path, auto unit, double to_si, double low, double high, auto field,
+                         auto meaning) {
     return Key{path, meaning, Key::Number{unit, to_si, low, high, field}};
   };
   return {
       {"title", "what this scenario is", Key::Text{[](Scenario& s) -> std::string& { return s.title; }}},
 
-      number("geometry.half_width_mm", "mm", mm, 50, 400,
-             [](Scenario& s) -> double& { return s.geometry.half_width; },
-             "transverse half-axis of the trunk at the zone of apposition"),
-      number("geometry.half_depth_mm", "mm", mm, 30, 300,
-             [](Scenario& s) -> double& { return s.geometry.half_depth; },
-             "antero-posterior half-axis of the trunk"),
-      number("geometry.abdomen_height_mm", "mm", mm, 50, 600,
-             [](Scenario& s) -> double& { return s.geometry.abdomen_height; },
-             "pelvic floor to costal insertion"),
-      number("geometry.apposition_length_mm", "mm", mm, 20, 400,
-             [](Scenario& s) -> double& { return s.geometry.apposition_length; },
-             "costal insertion to top of the zone of apposition"),
-      number("geometry.dome_height_right_mm", "mm", mm, 5, 300,
-             [](Scenario& s) -> double& { return s.geometry.dome_height_right; },
-             "top of the zone of apposition to the right dome"),
-      number("geometry.dome_height_left_mm", "mm", mm, 5, 300,
-             [](Scenario& s) -> double& { return s.geometry.dome_height_left; },
-             "top of the zone of apposition to the left dome"),
-      number("geometry.end_expiratory_volume_ml", "ml", ml, 200, 20000,
-             [](Scenario& s) -> double& { return s.geometry.end_expiratory_volume; },
-             "lung volume at rest; sets the height of the lung"),
+      number(
+          "geometry.half_width_mm", "mm", mm, 50, 400,
+          [](Scenario& s) -> double& { return s.geometry.half_width; },
+          "transverse half-axis of the trunk at the zone of apposition"),
+      number(
+          "geometry.half_depth_mm", "mm", mm, 30, 300,
+          [](Scenario& s) -> double& { return s.geometry.half_depth; },
+          "antero-posterior half-axis of the trunk"),
+      number(
+          "geometry.abdomen_height_mm", "mm", mm, 50, 600,
+          [](Scenario& s) -> double& { return s.geometry.abdomen_height; },
+          "pelvic floor to costal insertion"),
+      number(
+          "geometry.apposition_length_mm", "mm", mm, 20, 400,
+          [](Scenario& s) -> double& { return s.geometry.apposition_length; },
+          "costal insertion to top of the zone of apposition"),
+      number(
+          "geometry.dome_height_right_mm", "mm", mm, 5, 300,
+          [](Scenario& s) -> double& { return s.geometry.dome_height_right; },
+          "top of the zone of apposition to the right dome"),
+      number(
+          "geometry.dome_height_left_mm", "mm", mm, 5, 300,
+          [](Scenario& s) -> double& { return s.geometry.dome_height_left; },
+          "top of the zone of apposition to the left dome"),
+      number(
+          "geometry.end_expiratory_volume_ml", "ml", ml, 200, 20000,
+          [](Scenario& s) -> double& { return s.geometry.end_expiratory_volume; },
+          "lung volume at rest; sets the height of the lung"),
 
-      number("parameters.k_elasticity_N_per_m", "N_per_m", one, 1e-3, 1e7,
-             [](Scenario& s) -> double& { return s.parameters.elasticity; },
-             "stiffness of every shape-memory actuator"),
-      number("parameters.k_muscle_N_per_m", "N_per_m", one, 0, 1e7,
-             [](Scenario& s) -> double& { return s.parameters.muscle; },
-             "stiffness of every muscle fibre at full activation"),
-      number("parameters.damping_N_s_per_m", "N_s_per_m", one, 0, 1e5,
-             [](Scenario& s) -> double& { return s.parameters.damping; }, "viscous damping of a particle"),
-      number("parameters.abdomen_stiffness_factor", "", one, 0, 1e4,
-             [](Scenario& s) -> double& { return s.parameters.abdomen_factor; },
-             "abdominal wall over diaphragm muscle"),
+      number(
+          "parameters.k_elasticity_N_per_m", "N_per_m", one, 1e-3, 1e7,
+          [](Scenario& s) -> double& { return s.parameters.elasticity; },
+          "stiffness of every shape-memory actuator"),
+      number(
+          "parameters.k_muscle_N_per_m", "N_per_m", one, 0, 1e7,
+          [](Scenario& s) -> double& { return s.parameters.muscle; },
+          "stiffness of every muscle fibre at full activation"),
+      number(
+          "parameters.damping_N_s_per_m", "N_s_per_m", one, 0, 1e5,
+          [](Scenario& s) -> double& { return s.parameters.damping; }, "viscous damping of a particle"),
+      number(
+          "parameters.abdomen_stiffness_factor", "", one, 0, 1e4,
+          [](Scenario& s) -> double& { return s.parameters.abdomen_factor; },
+          "abdominal wall over diaphragm muscle"),
 
-      number("tissue.particle_mass_kg", "kg", one, 1e-6, 100,
-             [](Scenario& s) -> double& { return s.tissue.particle_mass; }, "mass of every particle"),
-      number("tissue.tendon_stiffness_factor", "", one, 0, 1e4,
-             [](Scenario& s) -> double& { return s.tissue.tendon_factor; },
-             "central tendon over diaphragm muscle"),
+      number(
+          "tissue.particle_mass_kg", "kg", one, 1e-6, 100,
+          [](Scenario& s) -> double& { return s.tissue.particle_mass; }, "mass of every particle"),
+      number(
+          "tissue.tendon_stiffness_factor", "", one, 0, 1e4,
+          [](Scenario& s) -> double& { return s.tissue.tendon_factor; },
+          "central tendon over diaphragm muscle"),
       {"tissue.reaction", "how shape-memory forces are balanced by the neighbours",
        Key::Choice{{"variational", "published"},
                    [](Scenario& s, int i) { s.reaction = static_cast<Reaction>(i); },
@@ -71,32 +85,42 @@ std::vector<Key> make_keys() {
        Key::Choice{{"none", "right", "left", "both"},
                    [](Scenario& s, int i) { s.tissue.paralysed = static_cast<Side>(i); },
                    [](const Scenario& s) { return static_cast<int>(s.tissue.paralysed); }}},
-      number("paralysis.stiffness_factor", "", one, 0, 100,
-             [](Scenario& s) -> double& { return s.tissue.paralysed_stiffness; },
-             "elasticity left in the paralysed half, over the healthy one"),
+      number(
+          "paralysis.stiffness_factor", "", one, 0, 100,
+          [](Scenario& s) -> double& { return s.tissue.paralysed_stiffness; },
+          "elasticity left in the paralysed half, over the healthy one"),
 
-      number("activation.onset_s", "s", one, 0, 60,
-             [](Scenario& s) -> double& { return s.activation.onset_s; }, "start of the contraction"),
-      number("activation.rise_s", "s", one, 1e-3, 60,
-             [](Scenario& s) -> double& { return s.activation.rise_s; }, "linear rise to 1"),
-      number("activation.fast_fall_s", "s", one, 1e-3, 60,
-             [](Scenario& s) -> double& { return s.activation.fast_fall_s; }, "the paper's important decrease"),
-      number("activation.fast_fall_level", "", one, 0, 1,
-             [](Scenario& s) -> double& { return s.activation.fast_fall_level; },
-             "activation at the end of the fast fall"),
-      number("activation.slow_fall_s", "s", one, 1e-3, 60,
-             [](Scenario& s) -> double& { return s.activation.slow_fall_s; },
-             "the paper's normal decrease, to 0"),
-      number("activation.period_s", "s", one, 0, 600,
-             [](Scenario& s) -> double& { return s.activation.period_s; },
-             "the pattern repeats after this; 0: once"),
+      number(
+          "activation.onset_s", "s", one, 0, 60, [](Scenario& s) -> double& { return s.activation.onset_s; },
+          "start of the contraction"),
+      number(
+          "activation.rise_s", "s", one, 1e-3, 60, [](Scenario& s) -> double& { return s.activation.rise_s; },
+          "linear rise to 1"),
+      number(
+          "activation.fast_fall_s", "s", one, 1e-3, 60,
+          [](Scenario& s) -> double& { return s.activation.fast_fall_s; }, "the paper's important decrease"),
+      number(
+          "activation.fast_fall_level", "", one, 0, 1,
+          [](Scenario& s) -> double& { return s.activation.fast_fall_level; },
+          "activation at the end of the fast fall"),
+      number(
+          "activation.slow_fall_s", "s", one, 1e-3, 60,
+          [](Scenario& s) -> double& { return s.activation.slow_fall_s; },
+          "the paper's normal decrease, to 0"),
+      number(
+          "activation.period_s", "s", one, 0, 600,
+          [](Scenario& s) -> double& { return s.activation.period_s; },
+          "the pattern repeats after this; 0: once"),
 
-      number("time.duration_s", "s", one, 1e-3, 3600,
-             [](Scenario& s) -> double& { return s.time.duration_s; }, "how long to simulate"),
-      number("time.dt_ms", "ms", ms, 1e-4, 1000, [](Scenario& s) -> double& { return s.time.dt_s; },
-             "time step"),
-      number("time.frame_every_ms", "ms", ms, 1e-4, 1e6,
-             [](Scenario& s) -> double& { return s.frame_every_s; }, "between stored frames"),
+      number(
+          "time.duration_s", "s", one, 1e-3, 3600, [](Scenario& s) -> double& { return s.time.duration_s; },
+          "how long to simulate"),
+      number(
+          "time.dt_ms", "ms", ms, 1e-4, 1000, [](Scenario& s) -> double& { return s.time.dt_s; },
+          "time step"),
+      number(
+          "time.frame_every_ms", "ms", ms, 1e-4, 1e6, [](Scenario& s) -> double& { return s.frame_every_s; },
+          "between stored frames"),
   };
 }
 

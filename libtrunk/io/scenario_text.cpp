@@ -17,7 +17,9 @@ std::string events_text(const PiecewiseLinear& curve, double to_si) {
   return "[" + text + "]";
 }
 
-std::string direction_text(const Vec3d& d) { return fmt::format("[{}, {}, {}]", d.x(), d.y(), d.z()); }
+std::string direction_text(const Vec3d& d) {
+  return fmt::format("[{}, {}, {}]", d.x(), d.y(), d.z());
+}
 
 /// `text` with the value of line `line` (from 1), which reads key = value # comment, replaced.
 std::string with_line_value(const std::string& text, std::size_t line, const std::string& value) {
@@ -29,7 +31,8 @@ std::string with_line_value(const std::string& text, std::size_t line, const std
       const auto comment = current.find('#', equals);
       const std::string tail = comment == std::string::npos ? "" : " " + current.substr(comment);
       current = current.substr(0, equals + 1) + " " + value;
-      if (!tail.empty() && current.size() + 1 < comment) current.resize(comment - 1, ' ');  // comments stay aligned
+      if (!tail.empty() && current.size() + 1 < comment)
+        current.resize(comment - 1, ' ');  // comments stay aligned
       current += tail;
     }
     result += current + "\n";
@@ -58,10 +61,10 @@ std::string to_toml(const Scenario& s) {
     text += "abdominal_volume_fraction = " + events_text(s.abdominal_volume, 1.0) + "\n";
   for (const RegionLoad& load : s.loads) {
     const bool is_force = load.kind == RegionLoad::Kind::force;
-    tables += fmt::format("\n[[{}]]\nregion = \"{}\"\ndirection = {}\n{} = {}\n",
-                          is_force ? "force" : "displacement", load.region, direction_text(load.direction),
-                          is_force ? "events_N" : "events_mm",
-                          events_text(load.magnitude, is_force ? 1.0 : 1e-3));
+    tables +=
+        fmt::format("\n[[{}]]\nregion = \"{}\"\ndirection = {}\n{} = {}\n",
+                    is_force ? "force" : "displacement", load.region, direction_text(load.direction),
+                    is_force ? "events_N" : "events_mm", events_text(load.magnitude, is_force ? 1.0 : 1e-3));
   }
   return text + tables;
 }
@@ -73,7 +76,8 @@ std::string with_values(const std::filesystem::path& from, const std::vector<std
   for (const std::string& path : keys) {
     const toml::table root = toml::parse(text);
     const auto node = root.at_path(path);
-    if (!node) throw InputError(from.string(), 0, "does not set " + path + ", expected it there to be replaced");
+    if (!node)
+      throw InputError(from.string(), 0, "does not set " + path + ", expected it there to be replaced");
     for (const ScenarioKey& key : scenario_keys())
       if (key.path == path)
         text = with_line_value(text, node.node()->source().begin.line, toml_value(key, scenario));

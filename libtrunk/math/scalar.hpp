@@ -12,7 +12,7 @@ template <class S>
 concept Scalar = requires(S a, S b, double d) {
   { a + b } -> std::convertible_to<S>;
   { a - b } -> std::convertible_to<S>;
-  { a * b } -> std::convertible_to<S>;
+  { a* b } -> std::convertible_to<S>;
   { a / b } -> std::convertible_to<S>;
   { -a } -> std::convertible_to<S>;
   S(d);
@@ -27,8 +27,12 @@ template <std::floating_point S>
 constexpr S select(bool mask, S a, S b) noexcept {
   return mask ? a : b;
 }
-constexpr bool any(bool mask) noexcept { return mask; }
-constexpr bool all(bool mask) noexcept { return mask; }
+constexpr bool any(bool mask) noexcept {
+  return mask;
+}
+constexpr bool all(bool mask) noexcept {
+  return mask;
+}
 
 /// True where the value is finite (no NaN, no infinity), without relying on the floating-point environment.
 template <Scalar S>

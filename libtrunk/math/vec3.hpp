@@ -101,7 +101,9 @@ template <Scalar S>
 constexpr Vec3<S> select(const Mask<S>& mask, const Vec3<S>& a, const Vec3<S>& b) noexcept {
   return {select(mask, a.x(), b.x()), select(mask, a.y(), b.y()), select(mask, a.z(), b.z())};
 }
-constexpr Vec3d select(bool mask, const Vec3d& a, const Vec3d& b) noexcept { return mask ? a : b; }
+constexpr Vec3d select(bool mask, const Vec3d& a, const Vec3d& b) noexcept {
+  return mask ? a : b;
+}
 
 /// A constant of the model as a value of the kernel's scalar.
 template <Scalar S>

@@ -6,9 +6,8 @@ namespace trunk {
 
 RingTable ring_table(const Surface& surface) {
   std::vector<Surface::OneRing> rings(surface.one_rings().begin(), surface.one_rings().end());
-  std::stable_sort(rings.begin(), rings.end(), [](const auto& a, const auto& b) {
-    return a.neighbours.size() < b.neighbours.size();
-  });
+  std::stable_sort(rings.begin(), rings.end(),
+                   [](const auto& a, const auto& b) { return a.neighbours.size() < b.neighbours.size(); });
   RingTable table;
   for (const auto& [vertex, neighbours] : rings) {
     const int valence = static_cast<int>(neighbours.size());

@@ -11,7 +11,9 @@ void require(bool condition, const std::string& text) {
   if (!condition) throw InputError(text);
 }
 
-bool finite(const Vec3d& a) { return std::isfinite(a.x()) && std::isfinite(a.y()) && std::isfinite(a.z()); }
+bool finite(const Vec3d& a) {
+  return std::isfinite(a.x()) && std::isfinite(a.y()) && std::isfinite(a.z());
+}
 
 void require_particles(const Model& m) {
   const std::size_t n = m.particles();
@@ -24,9 +26,9 @@ void require_particles(const Model& m) {
     require(finite(m.rest[i]), fmt::format("particle {}: its rest position is not finite", i));
     require(std::isfinite(m.mass[i]) && m.mass[i] > 0,
             fmt::format("particle {}: found a mass of {} kg, expected more than 0", i, m.mass[i]));
-    require(std::isfinite(m.damping_weight[i]) && m.damping_weight[i] >= 0,
-            fmt::format("particle {}: found a damping weight of {}, expected 0 or more", i,
-                        m.damping_weight[i]));
+    require(
+        std::isfinite(m.damping_weight[i]) && m.damping_weight[i] >= 0,
+        fmt::format("particle {}: found a damping weight of {}, expected 0 or more", i, m.damping_weight[i]));
   }
 }
 

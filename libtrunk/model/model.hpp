@@ -25,7 +25,8 @@ struct ShapeMemory {
   std::vector<double> abdominal_share;   // [rings] 0..1: how much the abdominal stiffness factor applies
 };
 
-/// A muscle fibre: an actuator of zero rest length between two particles, the stiffness A(t) k_muscle activity.
+/// A muscle fibre: an actuator of zero rest length between two particles, the stiffness A(t) k_muscle
+/// activity.
 struct Fibre {
   int insertion, origin;
   double activity;  // 1 healthy, 0 paralysed
@@ -47,7 +48,8 @@ struct FocalForce {
   PiecewiseLinear magnitude;
 };
 
-/// Displacement from rest, direction * magnitude(t), m, imposed on one particle along `axes` (1 imposed, 0 not).
+/// Displacement from rest, direction * magnitude(t), m, imposed on one particle along `axes` (1 imposed, 0
+/// not).
 struct ImposedDisplacement {
   int particle;
   Vec3d axes, direction;

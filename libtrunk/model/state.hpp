@@ -14,7 +14,7 @@ struct State {
   struct Contact {
     Mask<S> touching;
   };
-  std::vector<Contact> contact;   // [supports] which particles touch the rib cage
+  std::vector<Contact> contact;  // [supports] which particles touch the rib cage
   double time_s = 0.0;
 };
 

@@ -17,11 +17,11 @@ struct Workspace {
   std::vector<S> inverse_effective_mass;  // [particles] 1 / (m + dt c), 1/kg
 
   // scratch of one step
-  std::vector<Vec3<S>> force;          // [particles] N
-  std::vector<Vec3<S>> predicted;      // [particles] m, before the constraints
-  std::vector<Vec3<S>> corrected;      // [particles] m, with the supports, then with the volume
-  std::vector<Vec3<S>> direction;      // [particles] m per unit of the volume's multiplier
-  std::vector<Vec3<S>> gradient;       // [held rings] m2
+  std::vector<Vec3<S>> force;               // [particles] N
+  std::vector<Vec3<S>> predicted;           // [particles] m, before the constraints
+  std::vector<Vec3<S>> corrected;           // [particles] m, with the supports, then with the volume
+  std::vector<Vec3<S>> direction;           // [particles] m per unit of the volume's multiplier
+  std::vector<Vec3<S>> gradient;            // [held rings] m2
   std::vector<Vec3<S>> direction_gradient;  // [held rings]
   std::vector<Vec3<S>> free_direction;  // [supports] direction of a particle as if its support were absent
 };

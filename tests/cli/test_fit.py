@@ -1,0 +1,213 @@
+"""trunk fit: what it finds, its options, what it writes and when it writes nothing."""
+
+import signal
+import unittest
+
+from support import (FAST_FIT, HEALTHY, TrunkTest, breaths, catches, csv, scenario_with,
+                     shared_file, start, trace)
+
+FITTED = (0, 4)  # converged; not identifiable is a result as well
+
+
+class RealTrace(TrunkTest):
+    def test_subject_03(self):
+        fit = self.succeeds("fit", HEALTHY, "--trace", shared_file("traces/cant_Subject03_0cmH2O_0mL.csv"),
+                            "-o", "s03.h5", codes=FITTED)
+        self.assertLessEqual(fit["nrmse_percent"], 10)
+        self.assertEqual(set(fit["parameters"]), {"k_elasticity", "k_muscle"})
+        self.assertAlmostEqual(fit["tidal_volume_measured_ml"], 1040, delta=80)
+        self.assertGreater(len(fit["verdict"]), 20)
+        for estimate in (*fit["parameters"].values(), fit["ratio"]):
+            self.assertLessEqual({"value", "unit", "stderr", "lower95", "upper95", "at_bound"}, set(estimate))
+            self.assertTrue(0 < estimate["lower95"] < estimate["value"] < estimate["upper95"])
+        self.assertAlmostEqual(fit["ratio"]["value"], fit["parameters"]["k_muscle"]["value"]
+                               / fit["parameters"]["k_elasticity"]["value"], delta=1e-9)
+
+
+class Fit(TrunkTest):
+    def setUp(self):
+        super().setUp()
+        self.file("t.csv", trace())
+
+    def fit(self, *options, output="f.h5", codes=FITTED, **more):
+        return self.succeeds("fit", HEALTHY, "--trace", "t.csv", "-o", output, *FAST_FIT, *options, codes=codes, **more)
+
+    def refuses(self, *options, says):
+        return self.refused("fit", HEALTHY, "--trace", "t.csv", "-o", "f.h5", *FAST_FIT, *options, says=says)
+
+    def test_keys_of_the_contract_and_exit_code(self):
+        outcome = self.trunk("fit", HEALTHY, "--trace", "t.csv", "-o", "f.h5", *FAST_FIT, "--json")
+        fit = outcome.json()
+        self.assertLessEqual({"schema", "status", "parameters", "ratio", "nrmse_percent", "tidal_volume_measured_ml",
+                              "tidal_volume_error_ml", "peak_time_error_s", "residual_autocorrelation",
+                              "condition_number", "identifiable", "verdict", "baseline_nrmse_percent", "algorithm",
+                              "evaluations", "failed_evaluations", "breaths_used", "breaths_rejected", "wall_s"}, set(fit))
+        self.assertEqual((fit["schema"], fit["breaths_used"], fit["breaths_rejected"]), ("trunk.fit/1", 5, 0))
+        self.assertEqual(outcome.code, 0 if fit["identifiable"] else 4)
+        self.assertLess(fit["nrmse_percent"], 5)
+        self.assertLess(fit["baseline_nrmse_percent"], 1)  # the trace is that model's own
+
+    def test_the_tidal_volume_is_the_one_breaths_shows(self):
+        shown = self.succeeds("breaths", "t.csv")["tidal_volume_ml"]
+        self.assertAlmostEqual(shown, 500, delta=5)
+        self.assertAlmostEqual(self.fit("--fix", "k_elasticity=4000")["tidal_volume_measured_ml"], shown, delta=0.01 * shown)
+
+    def test_a_spelling_of_the_trace_changes_nothing(self):
+        plain = self.fit()
+        self.file("t.csv", "\ufeff" + csv(*breaths(), "time_s;volume_ml", ";", comma=True))
+        spelt = self.fit("--force")
+        for fit in (plain, spelt):
+            del fit["wall_s"]
+        self.assertEqual(plain, spelt)
+
+    def test_two_fits_are_the_same_file(self):
+        files = []
+        for _ in range(2):
+            self.fit("--force", "--max-evaluations", "20", codes=(0, 3, 4), epoch=0)
+            files.append((self.folder / "f.h5").read_bytes())
+        self.assertEqual(files[0], files[1])
+
+    def test_free_and_fixed_parameters(self):
+        both = self.fit("--fix", "k_elasticity=3500", "--free", "k_muscle,damping", output="a.h5")
+        self.assertEqual(set(both["parameters"]), {"k_muscle", "damping"})
+        kept = self.succeeds("inspect", "a.h5")["parameters"]
+        self.assertEqual((kept["k_elasticity"]["value"], kept["k_elasticity"]["free"]), (3500, False))
+        one = self.fit("--fix", "k_elasticity=@a.h5", output="b.h5")  # calibrate once, then refit the muscle
+        self.assertEqual(set(one["parameters"]), {"k_muscle"})
+        self.assertEqual(self.succeeds("inspect", "b.h5")["parameters"]["k_elasticity"]["value"], 3500)
+        self.succeeds("simulate", HEALTHY, "-o", "r.h5", "--from", "b.h5", "--set", "time.dt_ms=3")
+        self.assertEqual(self.succeeds("inspect", "r.h5")["parameters"]["k_muscle"]["value"],
+                         one["parameters"]["k_muscle"]["value"])
+
+    def test_names_and_values_that_are_wrong(self):
+        for options, says in ((("--free", "strength"), "'strength'.* expected one of k_elasticity, k_muscle"),
+                              (("--free", "k_muscle,k_muscle"), "'k_muscle'.* twice"),
+                              (("--fix", "strength=3"), "'strength'.* expected one of"),
+                              (("--fix", "k_elasticity"), "expected name=value"),
+                              (("--fix", "k_elasticity=soft"), "k_elasticity=soft: expected name=value"),
+                              (("--fix", "k_elasticity=-4000"), "expected 400 to 16000 N/m"),
+                              (("--fix", "k_elasticity=@none.h5"), "none.h5: no such file"),
+                              (("--fix", "k_elasticity=@t.csv"), "t.csv: is not an HDF5 file, expected"),
+                              (("--fix", "k_muscle=3", "--fix", "k_elasticity=4000"), "no parameter is free"),
+                              (("--fix", "k_muscle=3", "--free", "k_muscle"), "both free and fixed"),
+                              (("--algorithm", "guess"), "'guess', expected bobyqa"),
+                              (("--max-evaluations", "0"), "--max-evaluations.* 0 "),
+                              (("--tidal-volume-ml", "500"), "one of the two"),
+                              (("--breath", "6"), r"t.csv: breath 6 asked for; expected 1 to 5"),
+                              (("--breath", "0"), "--breath 0: expected"),
+                              (("--breath", "-1"), "--breath -1: expected"),
+                              (("--breath", "third"), "--breath third: expected"),
+                              (("--signal", "belt"), "t.csv:1: .*'belt'"),
+                              (("--save-scenario", "none/s.toml"), "none/s.toml: .*folder")):
+            with self.subTest(" ".join(options)):
+                self.refuses(*options, says=says)
+
+    def test_one_breath(self):
+        times, volumes = breaths()
+        self.file("t.csv", csv(times, [1.3 * v if 3.0 <= t < 4.5 else v for t, v in zip(times, volumes)]))
+        fit = self.fit("--breath", "3", "--fix", "k_elasticity=4000")
+        self.assertEqual(fit["breaths_used"], 1)
+        self.assertAlmostEqual(fit["tidal_volume_measured_ml"], 650, delta=7)
+
+    def test_an_error_is_one_line_though_notes_precede_it(self):
+        times, volumes = breaths()
+        self.file("t.csv", csv(times, [v + 30 * t for t, v in zip(times, volumes)]))
+        self.refuses("--breath", "99", says="breath 99")
+
+    def test_one_number_instead_of_a_trace(self):
+        own = self.file("own.toml", scenario_with())
+        fit = self.succeeds("fit", own, "--tidal-volume-ml", "300", "-o", "f.h5")
+        self.assertEqual(set(fit["parameters"]), {"k_muscle"})
+        self.assertIsNone(fit["parameters"]["k_muscle"]["stderr"])
+        run = self.succeeds("simulate", own, "-o", "r.h5", "--from", "f.h5")
+        self.assertAlmostEqual(run["delta_v_ml"], 300, delta=1)
+        for volume in ("5", "-300", "0.3", "nan"):
+            self.refused("fit", HEALTHY, "--tidal-volume-ml", volume, "-o", "g.h5", says="expected 10 to 10000 ml")
+        self.refused("fit", HEALTHY, "-o", "g.h5", says="--trace FILE or --tidal-volume-ml")
+
+    def test_what_is_not_known_is_not_called_nan(self):
+        own = self.file("own.toml", scenario_with())
+        shown = self.trunk("fit", own, "--tidal-volume-ml", "300", "-o", "f.h5").out
+        for text in (shown, self.trunk("inspect", "f.h5").out):
+            self.assertRegex(text, "k_muscle")
+            self.assertNotRegex(text, r"\bnan\b")
+
+    def test_too_few_evaluations_is_told(self):
+        fit = self.fit("--max-evaluations", "5", codes=(3,))
+        self.assertEqual((fit["status"], fit["identifiable"]), ("not_converged", False))
+        self.assertRegex(fit["verdict"], "did not converge: 5 evaluations were not enough")
+        self.assertEqual(self.succeeds("inspect", "f.h5")["status"], "not_converged")
+
+    def test_an_existing_result_stays(self):
+        self.file("f.h5", "years of work")
+        self.refuses(says=("f.h5: exists", "--force"))
+        self.file("s.toml", "years of work")
+        self.refused("fit", HEALTHY, "--trace", "t.csv", "-o", "g.h5", "--save-scenario", "s.toml", says="s.toml: exists")
+
+    def test_force_does_not_replace_the_trace(self):
+        self.refused("fit", HEALTHY, "--trace", "t.csv", "-o", "t.csv", *FAST_FIT, "--force", says="t.csv")
+
+    def test_two_outputs_of_one_name(self):
+        own = self.file("own.toml", scenario_with())
+        self.refused("fit", own, "--tidal-volume-ml", "300", "-o", "f.h5", "--save-scenario", "./f.h5", says="f.h5")
+
+
+class Interrupted(TrunkTest):
+    def test_ctrl_c_writes_nothing(self):
+        self.file("t.csv", trace(period_s=12, inspiration_s=4, tau_s=1, rate_hz=20))
+        before = self.contents()
+        for sign in (signal.SIGINT, signal.SIGTERM):
+            process = start("fit", HEALTHY, "--trace", "t.csv", "-o", "f.h5", "--save-scenario", "s.toml",
+                            "--set", "time.dt_ms=0.5", cwd=self.folder)
+            outcome = self.interrupt(process, lambda: catches(process), sign)
+            self.assertEqual(outcome.code, 130, str(outcome))
+            self.assertEqual((outcome.out, outcome.err), ("", "interrupted: nothing written\n"))
+            self.assertEqual(self.contents(), before)
+
+
+class SavedScenario(TrunkTest):
+    def fit(self, scenario, *options):
+        return self.succeeds("fit", scenario, "--tidal-volume-ml", "300", "-o", "f.h5", *options)
+
+    def test_keeps_every_line_but_the_fitted_one(self):
+        own = self.file("own.toml", scenario_with())
+        value = self.fit(own, "--save-scenario", "s.toml")["parameters"]["k_muscle"]["value"]
+        old, new = ((self.folder / name).read_text().splitlines() for name in (own, "s.toml"))
+        changed = [(a, b) for a, b in zip(old, new, strict=True) if a != b]
+        self.assertEqual(len(changed), 1, changed)
+        self.assertRegex(changed[0][1], r"^k_muscle_N_per_m = [\d.]+ +# \w+")
+        self.assertAlmostEqual(float(changed[0][1].split()[2]) / value, 1, delta=1e-5)
+        self.assertEqual(changed[0][0].partition("#")[2], changed[0][1].partition("#")[2])
+        self.assertAlmostEqual(self.succeeds("simulate", "s.toml", "-o", "r.h5")["delta_v_ml"], 300, delta=1)
+
+    def assert_saved_or_refused(self, scenario, saved):
+        """Either a scenario that reaches the volume, or a refusal before anything was done."""
+        before = self.contents()
+        outcome = self.trunk("fit", scenario, "--tidal-volume-ml", "300", "-o", "f.h5", "--save-scenario", saved)
+        if outcome.code == 2:
+            self.assert_one_line(outcome)
+            self.assertEqual(self.contents(), before, "refused, but something was written: " + outcome.err)
+        else:
+            self.assertEqual(outcome.code, 0, str(outcome))
+            self.assertAlmostEqual(self.succeeds("simulate", saved, "-o", "r.h5")["delta_v_ml"], 300, delta=1)
+
+    def test_a_value_that_another_file_sets(self):
+        self.file("base.toml", scenario_with())
+        self.file("own.toml", 'extends = "base.toml"\ntitle = "own"\n')
+        self.assert_saved_or_refused("own.toml", "s.toml")
+
+    def test_into_another_folder(self):
+        self.file("base.toml", scenario_with())
+        self.file("own.toml", 'extends = "base.toml"\n[parameters]\nk_muscle_N_per_m = 30\n')
+        (self.folder / "elsewhere").mkdir()
+        self.assert_saved_or_refused("own.toml", "elsewhere/s.toml")
+
+    def test_all_parameters_on_one_line(self):
+        self.file("base.toml", scenario_with())
+        self.file("own.toml", 'extends = "base.toml"\n'
+                              "parameters = { damping_N_s_per_m = 20, k_muscle_N_per_m = 30 }  # mine\n")
+        self.assert_saved_or_refused("own.toml", "s.toml")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,133 @@
+"""trunk simulate: the shipped scenarios, --set, --from, what a run leaves behind."""
+
+import unittest
+from pathlib import Path
+
+from support import COARSE, HEALTHY, SCENARIOS, TrunkTest
+
+NAMES = sorted(p.stem for p in SCENARIOS.glob("*.toml") if not p.stem.startswith("sweep_"))
+
+
+class ShippedScenarios(TrunkTest):
+    def run_scenario(self, name):
+        return self.succeeds("simulate", SCENARIOS / f"{name}.toml", "-o", f"{name}.h5")
+
+    def test_all_of_the_contract_are_there(self):
+        self.assertLessEqual({"healthy", "hemiparalysis_right", "hemiparalysis_left", "exercise_healthy",
+                              "exercise_hemiparalysis_right", "published_healthy",
+                              "published_hemiparalysis_right"}, set(NAMES))
+
+    def test_healthy_is_the_paper_s_subject(self):
+        run = self.run_scenario("healthy")
+        self.assertEqual(run["schema"], "trunk.simulate/1")
+        self.assertEqual(run["status"], "completed")
+        self.assertAlmostEqual(run["delta_v_ml"], 466, delta=4.66)
+        self.assertEqual(run["particles"], 113)
+        self.assertLessEqual(run["max_relative_volume_error"], 1e-9)
+        self.assertAlmostEqual(run["end_expiratory_volume_ml"], 4760, delta=0.1)
+        self.assertAlmostEqual(run["end_inspiratory_volume_ml"] - run["end_expiratory_volume_ml"],
+                               run["delta_v_ml"], delta=1e-6)
+        self.assertAlmostEqual(run["delta_v_percent"], 100 * run["delta_v_ml"] / 4760, delta=1e-6)
+        self.assertEqual(run["steps"], 4500)
+        self.assertEqual(run["dt_s"], 0.001)
+        for side in ("left", "right"):  # both domes descend, alike
+            self.assertAlmostEqual(run[f"excursion_{side}_mm"] / run["excursion_left_mm"], 1, delta=0.02)
+            self.assertGreater(run[f"excursion_{side}_mm"], 0)
+
+    def test_all_complete_and_keep_their_volume(self):
+        for name in NAMES:
+            with self.subTest(name):
+                run = self.run_scenario(name)
+                self.assertEqual(run["status"], "completed")
+                bound = 1e-13 if name.startswith("published") else 1e-9
+                self.assertLessEqual(run["max_relative_volume_error"], bound)
+                self.assertGreater(run["delta_v_ml"], 100)
+                self.assertTrue((self.folder / f"{name}.h5").is_file())
+
+    def test_fitted_scenarios_reach_the_volume_they_name(self):
+        for name, volume in (("published_healthy", 466), ("exercise_healthy", 1200)):
+            with self.subTest(name):
+                self.assertAlmostEqual(self.run_scenario(name)["delta_v_ml"], volume, delta=0.01 * volume)
+
+    def test_left_and_right_paralysis_mirror_each_other(self):
+        left, right = self.run_scenario("hemiparalysis_left"), self.run_scenario("hemiparalysis_right")
+        healthy = self.run_scenario("healthy")
+        for of_left, of_right in (("delta_v_ml", "delta_v_ml"), ("delta_l_mm", "delta_l_mm"),
+                                  ("excursion_left_mm", "excursion_right_mm"),
+                                  ("excursion_right_mm", "excursion_left_mm")):
+            self.assertAlmostEqual(left[of_left], right[of_right], delta=0.02 * abs(right[of_right]), msg=of_left)
+        self.assertLess(right["delta_v_ml"], 0.8 * healthy["delta_v_ml"])
+        self.assertLess(right["excursion_right_mm"], 0.5 * right["excursion_left_mm"])
+
+
+class Options(TrunkTest):
+    def test_set_reaches_the_result(self):
+        run = self.succeeds("simulate", HEALTHY, "-o", "a.h5", *COARSE, "--set", "parameters.k_muscle_N_per_m=60",
+                            "--set", "paralysis.side=right")
+        self.assertEqual((run["steps"], run["dt_s"]), (100, 0.003))
+        weaker = self.succeeds("simulate", HEALTHY, "-o", "b.h5", *COARSE, "--set", "paralysis.side=right")
+        self.assertGreater(run["delta_v_ml"], 1.5 * weaker["delta_v_ml"])
+        self.assertLess(run["excursion_right_mm"], run["excursion_left_mm"])
+        self.assertEqual(self.succeeds("inspect", "a.h5")["parameters"]["k_muscle"]["value"], 60)
+
+    def test_unknown_or_wrong_settings(self):
+        for setting, says in (("parameters.k_muscle=30", "parameters.k_muscle_N_per_m"),
+                              ("bogus.key=1", "unknown key 'bogus.key'"),
+                              ("parameters.k_muscle_N_per_m=strong", "strong.*expected a number of N"),
+                              ("parameters.k_muscle_N_per_m=nan", "expected a number"),
+                              ("parameters.k_muscle_N_per_m", "key=value"),
+                              ("paralysis.side=middle", "middle.*\"right\""),
+                              ("tissue.ribs=perhaps", "perhaps.*true or false"),
+                              ("geometry.half_width_mm=0.16", "0.16, expected .*50 to 400")):
+            with self.subTest(setting):
+                self.refused("simulate", HEALTHY, "-o", "a.h5", "--set", setting, says=says)
+
+    def test_parameters_from_a_run(self):
+        self.succeeds("simulate", HEALTHY, "-o", "a.h5", *COARSE, "--set", "parameters.k_muscle_N_per_m=47")
+        self.succeeds("simulate", HEALTHY, "-o", "b.h5", "--from", "a.h5", "--set", "time.dt_ms=3")
+        self.assertEqual(self.succeeds("inspect", "b.h5")["parameters"]["k_muscle"]["value"], 47)
+        self.refused("simulate", HEALTHY, "-o", "c.h5", "--from", "none.h5", says="none.h5: no such file")
+        self.refused("simulate", HEALTHY, "-o", "c.h5", "--from", HEALTHY, says="not an HDF5 file, expected")
+
+    def test_set_wins_over_from(self):
+        """What is typed on the command line is what is simulated."""
+        self.succeeds("simulate", HEALTHY, "-o", "a.h5", *COARSE, "--set", "parameters.k_muscle_N_per_m=47")
+        run = self.succeeds("simulate", HEALTHY, "-o", "b.h5", "--from", "a.h5", *COARSE,
+                            "--set", "parameters.k_muscle_N_per_m=55")
+        self.assertEqual(self.succeeds("inspect", "b.h5")["parameters"]["k_muscle"]["value"], 55)
+        self.assertEqual(run["steps"], 100)
+
+    def test_two_runs_are_the_same_file(self):
+        files = []
+        for _ in range(2):
+            self.succeeds("simulate", HEALTHY, "-o", "a.h5", *COARSE, "--force", epoch=0)
+            files.append((self.folder / "a.h5").read_bytes())
+        self.assertEqual(files[0], files[1])
+
+    def test_a_run_that_diverges_is_told_and_kept(self):
+        """10 tons on every particle of the tendon: numbers that mean nothing are not shown as results."""
+        own = self.file("own.toml", f'extends = "{HEALTHY}"\n[[force]]\nregion = "central_tendon"\n'
+                                    "direction = [0, 0, 1]\nevents_N = [[0, 0], [0.1, 100000]]\n")
+        outcome = self.trunk("simulate", own, "-o", "a.h5", "--json")
+        self.assertEqual(outcome.code, 3, str(outcome))
+        run = outcome.json()
+        self.assertIn(run["status"], ("diverged", "volume_lost"))
+        self.assertRegex(run["message"], r"diverged|volume")
+        self.assertEqual(self.succeeds("inspect", "a.h5")["status"], run["status"])
+        self.assert_no_part()
+        self.assertIsNone(run["delta_v_ml"])  # 0 ml would be read as a breath of 0 ml
+
+    def test_an_existing_result_stays(self):
+        self.succeeds("simulate", HEALTHY, "-o", "a.h5", *COARSE)
+        self.refused("simulate", HEALTHY, "-o", "a.h5", *COARSE, says=("a.h5", "exists", "--force"))
+        before = (self.folder / "a.h5").stat().st_ino
+        self.succeeds("simulate", HEALTHY, "-o", "a.h5", *COARSE, "--force")
+        self.assertNotEqual((self.folder / "a.h5").stat().st_ino, before)
+
+    def test_force_does_not_replace_the_input(self):
+        own = self.file("own.toml", Path(HEALTHY).read_text())
+        self.refused("simulate", own, "-o", own, *COARSE, "--force", says="own.toml")
+
+
+if __name__ == "__main__":
+    unittest.main()

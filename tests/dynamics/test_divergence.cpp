@@ -1,0 +1,84 @@
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "support/trunks.hpp"
+
+using namespace trunk;
+using namespace trunk::test;
+
+namespace {
+
+struct Outcome {
+  Summary summary;
+  bool saw_only_finite_numbers = true;
+  int observed = 0;
+};
+
+Outcome outcome_of(const Scenario& scenario) {
+  Outcome outcome;
+  outcome.summary =
+      simulate(make_trunk(scenario).model, scenario.parameters, scenario.activation, scenario.time,
+               [&](int, double, const State<double>& state, const StepReport<double>& report) {
+                 ++outcome.observed;
+                 bool good = std::isfinite(report.pressure_Pa);
+                 for (const Vec3d& p : state.position) good = good && finite(dot(p, p));
+                 outcome.saw_only_finite_numbers = outcome.saw_only_finite_numbers && good;
+               });
+  return outcome;
+}
+
+}  // namespace
+
+TEST_CASE("A run that blows up says so and shows no NaN before", "[property][dynamics]") {
+  struct Absurd {
+    const char* what;
+    void (*make)(Scenario&);
+  };
+  const Absurd cases[] = {
+      {"a time step of 20 ms", [](Scenario& s) { s.time.dt_s = 20e-3; }},
+      {"a time step of 1 s",
+       [](Scenario& s) {
+         s.time.dt_s = 1.0;
+         s.time.duration_s = 600.0;
+       }},
+      {"an elasticity of 10^6 N/m", [](Scenario& s) { s.parameters.elasticity = 1e6; }},
+      {"an elasticity of 10^12 N/m", [](Scenario& s) { s.parameters.elasticity = 1e12; }},
+      {"an elasticity of 10^300 N/m", [](Scenario& s) { s.parameters.elasticity = 1e300; }},
+      {"a muscle of 10^6 N/m", [](Scenario& s) { s.parameters.muscle = 1e6; }},
+      {"NaN for the muscle", [](Scenario& s) { s.parameters.muscle = std::nan(""); }},
+  };
+  for (const char* name : {"healthy", "published_healthy"})
+    for (const Absurd& absurd : cases) {
+      Scenario scenario = shipped(name);
+      absurd.make(scenario);
+      const Outcome outcome = outcome_of(scenario);
+      INFO(name << ", " << absurd.what << ": " << outcome.summary.message);
+      CHECK((outcome.summary.status == Summary::Status::diverged ||
+             outcome.summary.status == Summary::Status::volume_lost));
+      CHECK(outcome.saw_only_finite_numbers);
+      CHECK(outcome.observed <= outcome.summary.steps);  // step 0 counts, the broken one is not shown
+      CHECK(outcome.summary.message.find(" s") != std::string::npos);
+    }
+}
+
+TEST_CASE("A summary that was never filled is no success", "[unit][dynamics]") {
+  CHECK_FALSE(Summary{}.completed());
+  CHECK(Summary{}.status == Summary::Status::unset);
+}
+
+TEST_CASE("A particle blown out of the trunk ends the run as diverged", "[unit][dynamics]") {
+  Scenario scenario = shipped("healthy");
+  scenario.parameters.damping = 0.0;
+  const Trunk trunk = make_trunk(scenario);
+  Model model = trunk.model;
+  // A lung particle set free and kicked: it belongs to no held volume, so only its distance can tell.
+  const int lung = trunk.mesh.lung_top.particles.front();
+  model.mobility[static_cast<std::size_t>(lung)] = {1, 1, 1};
+  model.focal_forces = {{lung, {0, 0, 1}, PiecewiseLinear({{0.0, 100.0}})}};
+  int last_seen = 0;
+  const Summary summary = simulate(model, scenario.parameters, scenario.activation, {1e-3, 1.0},
+                                   [&](int n, double, const auto&, const auto&) { last_seen = n; });
+  CHECK(summary.status == Summary::Status::diverged);
+  CHECK(last_seen == summary.steps - 1);
+  CHECK(summary.time_s < 0.1);  // 1/2 500 m/s2 t^2 leaves a trunk of under 1 m
+}

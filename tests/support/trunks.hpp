@@ -1,0 +1,74 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "anatomy/breath_run.hpp"
+#include "forces/shape_memory.hpp"
+#include "io/scenario_file.hpp"
+#include "support/zoo.hpp"
+
+namespace trunk::test {
+
+inline std::filesystem::path scenario_folder() {
+  return std::filesystem::path(__FILE__).parent_path().parent_path().parent_path() / "scenarios";
+}
+
+/// A scenario that ships, by name: "healthy".
+inline Scenario shipped(const std::string& name) {
+  return read_scenario(scenario_folder() / (name + ".toml")).scenario;
+}
+
+/// The breath of a shipped scenario, no frames kept.
+inline BreathRun breath_of(const std::string& name) {
+  const Scenario scenario = shipped(name);
+  return run_breath(make_trunk(scenario), scenario, 0);
+}
+
+/// A body of elastic particles that nothing holds: no supports, fibres, loads or volume to keep.
+inline Model free_body(const Mesh& mesh, Reaction reaction, double mass) {
+  const std::size_t n = mesh.position.size();
+  Model model;
+  model.rest = mesh.position;
+  model.mass.assign(n, mass);
+  model.damping_weight.assign(n, 1.0);
+  model.mobility.assign(n, {1.0, 1.0, 1.0});
+  const std::vector<double> one(n, 1.0), none(n, 0.0);
+  model.shape_memory = make_shape_memory(mesh.surface(), mesh.position, one, none, reaction);
+  model.lung = mesh.triangles;
+  return model;
+}
+
+/// Adds a volume to hold to a body made of that mesh.
+inline void hold_volume(const Mesh& mesh, Model& model) {
+  model.abdomen = {
+      mesh.triangles, ring_table(mesh.surface()), enclosed_volume<double>(mesh.triangles, mesh.position), {}};
+}
+
+inline Vec3d total(const std::vector<Vec3d>& field) {
+  Vec3d sum;
+  for (const Vec3d& a : field) sum += a;
+  return sum;
+}
+
+/// Sum of position x force (or momentum).
+inline Vec3d total_moment(const std::vector<Vec3d>& position, const std::vector<Vec3d>& field) {
+  Vec3d sum;
+  for (std::size_t i = 0; i < field.size(); ++i) sum += cross(position[i], field[i]);
+  return sum;
+}
+
+inline double largest(const std::vector<Vec3d>& field) {
+  double most = 0.0;
+  for (const Vec3d& a : field) most = std::max(most, norm(a));
+  return most;
+}
+
+inline std::vector<Vec3d> difference(const std::vector<Vec3d>& a, const std::vector<Vec3d>& b) {
+  std::vector<Vec3d> result;
+  for (std::size_t i = 0; i < a.size(); ++i) result.push_back(a[i] - b[i]);
+  return result;
+}
+
+}  // namespace trunk::test
