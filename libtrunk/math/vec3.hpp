@@ -36,11 +36,15 @@ class Vec3 {
   S x_, y_, z_;
 };
 
-#if defined(__GNUC__)
 /// The same in one 4-wide register (x, y, z, 0): every operation rounds as in the general form.
 template <>
 class Vec3<double> {
  public:
+  typedef double Register __attribute__((vector_size(4 * sizeof(double))));
+
+  constexpr explicit Vec3(Register xyz0) noexcept : xyz0_(xyz0) {}
+  constexpr Register bits() const noexcept { return xyz0_; }
+
   constexpr Vec3() noexcept : xyz0_{0.0, 0.0, 0.0, 0.0} {}
   constexpr Vec3(double x, double y, double z) noexcept : xyz0_{x, y, z, 0.0} {}
 
@@ -57,11 +61,8 @@ class Vec3<double> {
   }
 
  private:
-  typedef double Register __attribute__((vector_size(4 * sizeof(double))));
-  constexpr explicit Vec3(Register r) noexcept : xyz0_(r) {}
   Register xyz0_;
 };
-#endif
 
 using Vec3d = Vec3<double>;
 

@@ -24,37 +24,50 @@ struct RingTable {
 
 RingTable ring_table(const Surface& surface);
 
-/// Calls visit(ring, vertex, neighbours) for every ring; `neighbours` is a span of const int whose extent is
-/// the valence where that is 4 to 8, the usual ones, and dynamic elsewhere.
+/// Calls visit.template operator()<Valence>(group) for every group; the valence is a compile-time number
+/// where it is 4 to 8, the usual ones, and std::dynamic_extent elsewhere.
 template <class Visit>
-void for_each_ring(const RingTable& table, Visit&& visit) noexcept {
-  const auto visit_group = [&]<std::size_t Valence>(const RingTable::Group& group) {
-    const auto valence = Valence == std::dynamic_extent ? static_cast<std::size_t>(group.valence) : Valence;
-    const int* neighbour = table.neighbour.data() + group.first_neighbour;
-    for (auto r = static_cast<std::size_t>(group.first); r < static_cast<std::size_t>(group.last); ++r) {
-      visit(r, static_cast<std::size_t>(table.vertex[r]), std::span<const int, Valence>(neighbour, valence));
-      neighbour += valence;
-    }
-  };
+void for_each_valence(const RingTable& table, Visit&& visit) noexcept {
   for (const RingTable::Group& group : table.groups) switch (group.valence) {
       case 4:
-        visit_group.template operator()<4>(group);
+        visit.template operator()<4>(group);
         break;
       case 5:
-        visit_group.template operator()<5>(group);
+        visit.template operator()<5>(group);
         break;
       case 6:
-        visit_group.template operator()<6>(group);
+        visit.template operator()<6>(group);
         break;
       case 7:
-        visit_group.template operator()<7>(group);
+        visit.template operator()<7>(group);
         break;
       case 8:
-        visit_group.template operator()<8>(group);
+        visit.template operator()<8>(group);
         break;
       default:
-        visit_group.template operator()<std::dynamic_extent>(group);
+        visit.template operator()<std::dynamic_extent>(group);
     }
+}
+
+/// The neighbours of a ring of a group.
+template <std::size_t Valence>
+std::span<const int, Valence> neighbours_of(const RingTable& table, const RingTable::Group& group,
+                                            int ring) noexcept {
+  const auto valence = Valence == std::dynamic_extent ? static_cast<std::size_t>(group.valence) : Valence;
+  const auto rank = static_cast<std::size_t>(ring - group.first);
+  return std::span<const int, Valence>(
+      table.neighbour.data() + static_cast<std::size_t>(group.first_neighbour) + rank * valence, valence);
+}
+
+/// Calls visit(ring, vertex, neighbours) for every ring.
+template <class Visit>
+void for_each_ring(const RingTable& table, Visit&& visit) noexcept {
+  for_each_valence(table, [&]<std::size_t Valence>(const RingTable::Group& group) {
+    for (int r = group.first; r < group.last; ++r) {
+      const auto row = static_cast<std::size_t>(r);
+      visit(row, static_cast<std::size_t>(table.vertex[row]), neighbours_of<Valence>(table, group, r));
+    }
+  });
 }
 
 }  // namespace trunk

@@ -1,9 +1,10 @@
 """Bad input: one line that names file, line, what was found and what was expected; exit 2; nothing written."""
 
 import importlib.util
+import subprocess
 import unittest
 
-from support import COARSE, HEALTHY, TrunkTest, breaths, csv, file_limit, scenario_with, trace
+from support import COARSE, HEALTHY, LIMIT_S, PROGRAM, TrunkTest, breaths, csv, file_limit, scenario_with, trace
 
 TIMES, VOLUMES = breaths()
 GOOD = csv(TIMES, VOLUMES)
@@ -139,9 +140,7 @@ class Outputs(TrunkTest):
     def test_full_disk_behind_stdout(self):
         """A script that keeps the JSON must not take an empty file for a result."""
         with open("/dev/full", "w") as full:
-            import subprocess
-            from support import PROGRAM
-            done = subprocess.run([PROGRAM, "check", HEALTHY, "--json"], stdout=full, stderr=subprocess.PIPE, timeout=60)
+            done = subprocess.run([PROGRAM, "check", HEALTHY, "--json"], stdout=full, stderr=subprocess.PIPE, timeout=LIMIT_S)
         self.assertNotEqual(done.returncode, 0)
 
 
@@ -190,7 +189,9 @@ class Results(TrunkTest):
             for name in ("particles/trajectory/position/value", "curves/dV_model", "particles/trajectory/mass"):
                 chunk = file[name].id.get_chunk_info(0)
                 places[name] = chunk.byte_offset + chunk.size // 2
-            places["measures/delta_v_ml"] = self.data.find(file["measures/delta_v_ml"][()].tobytes()) + 6
+            value = file["measures/delta_v_ml"][()].tobytes()
+            self.assertEqual(self.data.count(value), 1)
+            places["measures/delta_v_ml"] = self.data.find(value) + 6
         for name, place in places.items():
             with self.subTest(name):
                 self.refuses(self.flipped(place, 3))

@@ -158,7 +158,7 @@ class Interrupted(TrunkTest):
         before = self.contents()
         for sign in (signal.SIGINT, signal.SIGTERM):
             process = start("fit", HEALTHY, "--trace", "t.csv", "-o", "f.h5", "--save-scenario", "s.toml",
-                            "--set", "time.dt_ms=0.5", cwd=self.folder)
+                            cwd=self.folder)
             outcome = self.interrupt(process, lambda: catches(process), sign)
             self.assertEqual(outcome.code, 130, str(outcome))
             self.assertEqual((outcome.out, outcome.err), ("", "interrupted: nothing written\n"))
