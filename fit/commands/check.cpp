@@ -2,6 +2,7 @@
 
 #include "breaths/mean_breath.hpp"
 #include "commands/commands.hpp"
+#include "commands/trace_options.hpp"
 #include "dynamics/stability.hpp"
 #include "io/scenario_file.hpp"
 #include "io/scenario_keys.hpp"
@@ -12,6 +13,7 @@ namespace {
 struct Request {
   std::string scenario, trace;
   std::vector<std::string> settings;
+  TraceOptions columns;
   bool keys = false;
 };
 
@@ -28,9 +30,23 @@ void print_keys() {
       "Directions are [right, forward, up].\n");
 }
 
+Json keys_json() {
+  Json keys = Json::array();
+  for (const ScenarioKey& key : scenario_keys())
+    keys.push_back({{"key", key.path},
+                    {"meaning", key.meaning},
+                    {"expected", expectation(key)},
+                    {"unit", unit_of_key(key.path)},
+                    {"default", toml_value(key, Scenario{})}});
+  return {{"schema", "trunk.check/1"}, {"keys", keys}};
+}
+
 Exit check_command(const Common& common, const Request& request) {
   if (request.keys) {
-    print_keys();
+    if (common.json)
+      print_result(common, keys_json(), "");
+    else
+      print_keys();
     return Exit::done;
   }
   if (request.scenario.empty()) throw CLI::RequiredError("SCENARIO");
@@ -46,7 +62,7 @@ Exit check_command(const Common& common, const Request& request) {
                                  request.scenario, trunk.model.particles(), file.scenario.time.steps(),
                                  1e3 * file.scenario.time.dt_s, 1e3 * bound_s);
   if (!request.trace.empty()) {
-    const MeasuredBreath breath = mean_breath(segment_breaths(read_trace(request.trace)));
+    const MeasuredBreath breath = mean_breath(segment_breaths(read_trace(request.trace, request.columns)));
     json["breaths_used"] = breath.breaths_used;
     json["tidal_volume_ml"] = 1e6 * breath.tidal_volume_m3;
     text += fmt::format("\n{}: good. {} breaths used, {} rejected, tidal volume {:.0f} ml, {:.2f} s a breath",
@@ -66,6 +82,7 @@ void add_check(CLI::App& app, Common& common, Run& run) {
   command->add_option("--trace", request->trace, "lung volume or flow trace (CSV)");
   command->add_option("--set", request->settings, "key=value, over the scenario; may be repeated")
       ->take_all();
+  add_trace_options(*command, request->columns);
   command->add_flag("--keys", request->keys, "list all keys of a scenario with units, limits and defaults");
   command->add_flag("--json", common.json, "print one JSON object");
   command->callback(

@@ -2,7 +2,7 @@
 
 #include <charconv>
 #include <cmath>
-#include <fstream>
+#include <span>
 
 #include "commands/commands.hpp"
 #include "commands/trace_options.hpp"
@@ -65,9 +65,10 @@ std::vector<std::string> names_to_fit(const Request& request, const std::vector<
   return names;
 }
 
-MeasuredBreath measured_breath(const Request& request) {
+/// The breath to fit. `notes` are for the user, once all input is known to be good.
+MeasuredBreath measured_breath(const Request& request, std::vector<std::string>& notes) {
   const Segmentation s = segment_breaths(read_trace(request.trace, request.columns));
-  for (const std::string& note : s.notes) print_note("note: " + note);
+  notes = s.notes;
   if (request.breath == "mean") return mean_breath(s);
   std::size_t number = 0;
   const char* end = request.breath.data() + request.breath.size();
@@ -131,9 +132,11 @@ std::string table(const Estimation& e, const MeasuredBreath& breath, const Reque
   text +=
       fmt::format("  {:<26} {:>10}  {:>10}  {:>22}\n", "parameter", "estimate", "std error", "95 % interval");
   const auto line = [&](const Estimate& p) {
+    const std::string interval =
+        std::isfinite(p.stderr_) ? fmt::format("{:.4g} to {:.4g}", p.lower95, p.upper95) : "not known";
     text +=
-        fmt::format("  {:<26} {:>10.5g}  {:>10.3g}  {:>9.4g} to {:>9.4g} {}{}\n", p.name, p.value, p.stderr_,
-                    p.lower95, p.upper95, p.unit == "1" ? "" : p.unit, p.at_bound ? "  AT BOUND" : "");
+        fmt::format("  {:<26} {:>10.5g}  {:>10}  {:>22} {}{}\n", p.name, p.value, shown(p.stderr_, "{:.3g}"),
+                    interval, p.unit == "1" ? "" : p.unit, p.at_bound ? "  AT BOUND" : "");
   };
   if (e.uncertainty) {
     for (const Estimate& p : e.uncertainty->parameters) line(p);
@@ -150,14 +153,6 @@ std::string table(const Estimation& e, const MeasuredBreath& breath, const Reque
   return text + "\nWritten to " + request.output;
 }
 
-void write_text(const std::filesystem::path& path, const std::string& text) {
-  const std::filesystem::path part = path.string() + ".part";
-  std::ofstream(part, std::ios::binary) << text;
-  std::error_code error;
-  std::filesystem::rename(part, path, error);
-  if (error) throw InputError(path.string(), 0, "cannot be written: " + error.message());
-}
-
 /// Six digits are more than any trace determines, and stay readable in a scenario file.
 Scenario with_rounded(Scenario scenario, const SearchSpace& space, const Candidate& best) {
   Candidate c = best;
@@ -168,6 +163,13 @@ Scenario with_rounded(Scenario scenario, const SearchSpace& space, const Candida
   scenario.parameters = c.parameters;
   scenario.activation = c.activation;
   return scenario;
+}
+
+/// The fitted scenario in full: it needs no other file.
+void save_scenario(const Request& request, const Scenario& scenario) {
+  const std::string text = fmt::format("# {} with the parameters of {}, written by trunk fit\n{}",
+                                       request.scenario, request.output, to_toml(scenario));
+  replace_file(request.save_scenario, std::as_bytes(std::span(text)));
 }
 
 void require_one_source(const Request& request) {
@@ -181,9 +183,10 @@ Exit fit_command(const Common& common, const Request& request) {
   require_one_source(request);
   ScenarioFile file = read_scenario(request.scenario, request.settings);
   MeasuredBreath breath;
+  std::vector<std::string> notes;
   Target target{{}, {1e-6 * request.tidal_volume_ml}};
   if (!request.trace.empty()) {
-    breath = measured_breath(request);
+    breath = measured_breath(request, notes);
     target = target_of(breath);
     file.inputs.push_back(request.trace);
     file.scenario.time.duration_s = breath.duration_s;
@@ -193,8 +196,11 @@ Exit fit_command(const Common& common, const Request& request) {
   for (const std::string& text : request.fixed) fixed.push_back(apply_fixed(text, file));
   const SearchSpace space(names_to_fit(request, fixed), {file.scenario.parameters, file.scenario.activation});
   const Trunk trunk = build_trunk(file);
-  require_writable_target(request.output, common.force);
-  if (!request.save_scenario.empty()) require_writable_target(request.save_scenario, common.force);
+  std::vector<std::filesystem::path> outputs = {request.output};
+  if (!request.save_scenario.empty()) outputs.emplace_back(request.save_scenario);
+  require_apart(file.inputs, outputs);
+  for (const auto& output : outputs) require_writable_target(output, common.force);
+  for (const std::string& note : notes) print_note("note: " + note);
 
   catch_interrupts();
   const auto start = std::chrono::steady_clock::now();
@@ -223,12 +229,7 @@ Exit fit_command(const Common& common, const Request& request) {
   const BreathRun run = run_breath(trunk, best.scenario, stride);
   write_fit(request.output, fit_record(file, trunk, space, target, breath, e, request.search, status, run,
                                        provenance_of(file.inputs, common.argv)));
-  if (!request.save_scenario.empty()) {
-    std::vector<std::string> keys;
-    for (std::size_t i = 0; i < space.size(); ++i) keys.emplace_back(space.parameter(i).scenario_key);
-    write_text(request.save_scenario,
-               with_values(request.scenario, keys, with_rounded(best.scenario, space, e.best)));
-  }
+  if (!request.save_scenario.empty()) save_scenario(request, with_rounded(best.scenario, space, e.best));
   print_result(common, summary(status, request, e, breath, wall.count()), table(e, breath, request));
   if (!e.search.converged) return Exit::not_converged;
   return identifiable ? Exit::done : Exit::not_identifiable;

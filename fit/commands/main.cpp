@@ -1,5 +1,8 @@
 #include <fmt/format.h>
 
+#include <csignal>
+#include <cstdio>
+
 #include "commands/commands.hpp"
 #include "errors/input_error.hpp"
 #include "recording/provenance.hpp"
@@ -15,13 +18,20 @@ std::string joined(int argc, char** argv) {
 /// CLI11's own messages can span lines; the program promises one.
 int report_usage(const CLI::App& app, const CLI::ParseError& error) {
   if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
-  fmt::print(stderr, "trunk: {}; see `trunk --help`\n", error.what());
+  std::string text = error.what();
+  if (app.get_subcommands().empty() && !app.remaining().empty()) {
+    text = "unknown command '" + app.remaining().front() + "', expected one of";
+    for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+      text += " " + command->get_name();
+  }
+  fmt::print(stderr, "trunk: {}; see `trunk --help`\n", text);
   return static_cast<int>(trunk::Exit::bad_input);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a limit on file sizes is then an error of write() like a full disk
   CLI::App app{
       "Fits a discrete model of the human trunk to lung volume traces, simulates it, sweeps scenarios."};
   app.name("trunk");
@@ -41,7 +51,10 @@ int main(int argc, char** argv) {
   trunk::add_inspect(app, common, run);
   try {
     app.parse(argc, argv);
-    return static_cast<int>(run());
+    const trunk::Exit exit = run();
+    if (std::fflush(stdout) != 0)
+      throw trunk::InputError("standard output cannot be written; is the disk full?");
+    return static_cast<int>(exit);
   } catch (const CLI::ParseError& error) {
     return report_usage(app, error);
   } catch (const trunk::InputError& error) {

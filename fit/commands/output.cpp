@@ -8,6 +8,8 @@
 #include <cmath>
 #include <csignal>
 
+#include "errors/input_error.hpp"
+
 namespace trunk {
 namespace {
 
@@ -48,12 +50,34 @@ void clear_progress() {
   progress_shown = false;
 }
 
+std::string shown(double value, const char* format) {
+  return std::isfinite(value) ? fmt::format(fmt::runtime(format), value) : "not known";
+}
+
+void require_apart(const std::vector<std::filesystem::path>& inputs,
+                   const std::vector<std::filesystem::path>& outputs) {
+  const auto same = [](const auto& a, const auto& b) {
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(a)) ==
+           std::filesystem::weakly_canonical(std::filesystem::absolute(b));
+  };
+  for (std::size_t i = 0; i < outputs.size(); ++i) {
+    for (const auto& input : inputs)
+      if (same(input, outputs[i]))
+        throw InputError(outputs[i].string(), 0,
+                         "is read by this command, expected another name for the result");
+    for (std::size_t j = 0; j < i; ++j)
+      if (same(outputs[j], outputs[i]))
+        throw InputError(outputs[i].string(), 0, "is named for two results, expected two names");
+  }
+}
+
 std::string aligned(const std::vector<NamedValue>& values) {
   std::size_t width = 0;
   for (const NamedValue& v : values) width = std::max(width, v.name.size());
   std::string text;
   for (const NamedValue& v : values)
-    text += fmt::format("  {:<{}}  {:>10.4g} {}\n", v.name, width, v.value, v.unit == "1" ? "" : v.unit);
+    text += fmt::format("  {:<{}}  {:>10} {}\n", v.name, width, shown(v.value, "{:.4g}"),
+                        v.unit == "1" ? "" : v.unit);
   return text;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -30,6 +31,13 @@ void print_result(const Common& common, const Json& json, const std::string& tex
 void print_note(const std::string& text);
 void print_progress(const std::string& text);
 void clear_progress();
+
+/// The number as a table shows it: `format` as fmt takes it, "not known" where it is not finite.
+std::string shown(double value, const char* format);
+
+/// A result must not replace what it is made from, nor another result. Throws InputError.
+void require_apart(const std::vector<std::filesystem::path>& inputs,
+                   const std::vector<std::filesystem::path>& outputs);
 
 /// "name   value unit" lines, aligned.
 std::string aligned(const std::vector<NamedValue>& values);

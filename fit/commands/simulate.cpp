@@ -17,7 +17,6 @@ struct Request {
   std::vector<std::string> settings;
 };
 
-/// Frames that fit in memory and in a file one can mail: 4 GB would be the trunk for a day.
 int frame_stride(const Scenario& s) {
   return std::max(1, static_cast<int>(std::lround(s.frame_every_s / s.time.dt_s)));
 }
@@ -35,11 +34,13 @@ Json summary(const Trunk& trunk, const Scenario& scenario, const BreathRun& run)
 }
 
 Exit simulate_command(const Common& common, const Request& request) {
-  ScenarioFile file = read_scenario(request.scenario, request.settings);
+  ScenarioFile file = read_scenario(request.scenario);
   if (!request.parameters_from.empty()) {
     adopt_parameters(read_parameters(request.parameters_from), file.scenario);
     file.inputs.push_back(request.parameters_from);
   }
+  apply_settings(request.settings, file);
+  require_apart(file.inputs, {request.output});
   const Trunk trunk = build_trunk(file);
   require_writable_target(request.output, common.force);
   const BreathRun run = run_breath(trunk, file.scenario, frame_stride(file.scenario));
@@ -62,7 +63,8 @@ void add_simulate(CLI::App& app, Common& common, Run& run) {
   command->add_option("-o,--output", request->output, "result file (HDF5)")->required();
   command->add_option("--set", request->settings, "key=value, over the scenario; may be repeated")
       ->take_all();
-  command->add_option("--from", request->parameters_from, "take the parameters of this fit or run (HDF5)");
+  command->add_option("--from", request->parameters_from,
+                      "take the parameters of this fit or run (HDF5); --set goes over it");
   command->add_flag("--json", common.json, "print one JSON object");
   command->add_flag("--force", common.force, "replace the result file if it exists");
   command->callback(

@@ -124,6 +124,13 @@ void add_evaluations(const SearchSpace& space, const Estimation& e, FitRecord& f
 }  // namespace
 
 std::vector<NamedValue> measures_of(const BreathRun& run) {
+  if (!run.summary.completed()) {  // half a breath has no measures
+    BreathRun unknown;
+    unknown.summary.status = Summary::Status::completed;
+    std::vector<NamedValue> values = measures_of(unknown);
+    for (NamedValue& v : values) v.value = std::nan("");
+    return values;
+  }
   const Measures& m = run.measures;
   const double peak_Pa =
       run.pressure_Pa.empty() ? 0.0 : *std::max_element(run.pressure_Pa.begin(), run.pressure_Pa.end());

@@ -4,6 +4,7 @@
 #include <toml++/toml.h>
 
 #include <cmath>
+#include <sstream>
 
 #include "errors/input_error.hpp"
 #include "io/text_file.hpp"
@@ -12,6 +13,13 @@ namespace trunk {
 namespace {
 
 constexpr std::size_t most_runs = 1'000'000, largest_file = 1'000'000;
+
+std::string found(const toml::node* node) {
+  if (!node) return "nothing";
+  std::ostringstream out;
+  node->visit([&](const auto& value) { out << value; });
+  return out.str().substr(0, 60);
+}
 
 struct Reader {
   std::string file;
@@ -22,7 +30,8 @@ struct Reader {
 
   double number(const toml::node* node, const toml::node& parent, const std::string& what) const {
     const auto value = node && node->is_number() ? node->value<double>() : std::nullopt;
-    if (!value || !std::isfinite(*value)) fail(node ? *node : parent, what + ": expected a finite number");
+    if (!value || !std::isfinite(*value))
+      fail(node ? *node : parent, fmt::format("{}: found {}, expected a finite number", what, found(node)));
     return *value;
   }
 
@@ -47,7 +56,7 @@ struct Reader {
   }
 
   SweepDesign::Axis axis(const std::string& key, const toml::node& node) const {
-    SweepDesign::Axis axis{key, {}};
+    SweepDesign::Axis axis{key, fmt::format("{}:{}", file, node.source().begin.line), {}};
     if (const toml::array* list = node.as_array())
       for (const toml::node& item : *list) axis.values.push_back(number(&item, node, key));
     else if (const toml::table* table = node.as_table())
@@ -76,7 +85,10 @@ struct Reader {
     for (const toml::node& item : *list) {
       const auto name = item.value_exact<std::string>();
       if (!name) fail(item, "scenarios: expected file names in quotes");
-      design.scenarios.push_back(std::filesystem::path(file).parent_path() / *name);
+      const auto path = std::filesystem::path(file).parent_path() / *name;
+      if (!std::filesystem::exists(path))
+        fail(item, fmt::format("there is no scenario file {}", path.string()));
+      design.scenarios.push_back(path);
     }
   }
 };
@@ -84,9 +96,12 @@ struct Reader {
 /// A wrong key or value shows before the first run, not after an hour.
 void try_everything(const SweepDesign& design) {
   for (const auto& scenario : design.scenarios) {
-    read_scenario(scenario);
+    const ScenarioFile file = read_scenario(scenario);
     for (const auto& axis : design.axes)
-      for (double value : axis.values) read_scenario(scenario, {fmt::format("{}={}", axis.key, value)});
+      for (double value : axis.values) {
+        ScenarioFile trial = file;
+        apply_settings(std::vector<Setting>{{axis.key, fmt::format("{}", value), axis.where}}, trial);
+      }
   }
 }
 
@@ -111,11 +126,11 @@ std::vector<double> SweepDesign::values_of(std::size_t run) const {
   return values;
 }
 
-std::vector<std::string> SweepDesign::settings_of(std::size_t run) const {
-  std::vector<std::string> settings;
+std::vector<Setting> SweepDesign::settings_of(std::size_t run) const {
+  std::vector<Setting> settings;
   const std::vector<double> values = values_of(run);
   for (std::size_t a = 0; a < axes.size(); ++a)
-    settings.push_back(fmt::format("{}={}", axes[a].key, values[a]));
+    settings.push_back({axes[a].key, fmt::format("{}", values[a]), axes[a].where});
   return settings;
 }
 

@@ -12,7 +12,8 @@ namespace trunk {
 /// numbers count from 0, the last axis fastest.
 struct SweepDesign {
   struct Axis {
-    std::string key;  // of a scenario, as in --set
+    std::string key;    // of a scenario, as in --set
+    std::string where;  // file:line, for messages
     std::vector<double> values;
   };
   std::string title = "sweep";
@@ -24,8 +25,8 @@ struct SweepDesign {
 
   std::size_t runs() const noexcept;
   const std::filesystem::path& scenario_of(std::size_t run) const;
-  std::vector<double> values_of(std::size_t run) const;         // one an axis
-  std::vector<std::string> settings_of(std::size_t run) const;  // key=value, for read_scenario
+  std::vector<double> values_of(std::size_t run) const;  // one an axis
+  std::vector<Setting> settings_of(std::size_t run) const;
 };
 
 /// Reads `schema = "trunk.sweep/1"`, `title`, `scenarios = [...]` (relative to the file), `[grid]` with

@@ -32,6 +32,12 @@ fs::path run_path(const fs::path& folder, std::size_t run) {
   return folder / fmt::format("runs/{:05}.h5", run);
 }
 
+/// What a killed sweep left half written.
+void remove_half_files(const fs::path& folder) {
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (entry.path().extension() == ".part") fs::remove(entry.path());
+}
+
 void make_folder(const fs::path& path) {
   const fs::path parent = path.has_parent_path() ? path.parent_path() : fs::path(".");
   if (!fs::is_directory(parent))
@@ -64,6 +70,7 @@ SweepFolder::SweepFolder(fs::path path, const SweepDesign& design, bool force) :
   }
   make_folder(path_);
   require_writable_target(path_ / "fingerprint", true);
+  remove_half_files(path_ / "runs");
   if (found.empty()) replace_file(path_ / "fingerprint", std::as_bytes(std::span(mine)));
 }
 

@@ -23,7 +23,8 @@ struct Finished {
 
 Finished simulate_run(const SweepDesign& design, std::size_t run, const Provenance& provenance) {
   try {
-    ScenarioFile file = read_scenario(design.scenario_of(run), design.settings_of(run));
+    ScenarioFile file = read_scenario(design.scenario_of(run));
+    apply_settings(design.settings_of(run), file);
     const Trunk trunk = build_trunk(file);
     const auto stride = std::lround(1e-3 * design.frame_every_ms / file.scenario.time.dt_s);
     const BreathRun result = run_breath(trunk, file.scenario, std::max(1, static_cast<int>(stride)));

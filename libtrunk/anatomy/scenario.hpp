@@ -38,8 +38,8 @@ struct Scenario {
 /// Builds the trunk with the scenario's loads. Throws InputError.
 Trunk make_trunk(const Scenario& scenario);
 
-/// Throws InputError unless the time step is below the stability bound at full activation, the duration is a
-/// sensible number of steps, and the activation fits in. The text names the bound.
+/// Throws InputError unless the time step is below the stability bound at full activation and the duration is
+/// a sensible number of steps. The text names the bound.
 void require_stable(const Scenario& scenario, const Trunk& trunk);
 
 }  // namespace trunk

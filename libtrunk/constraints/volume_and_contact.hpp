@@ -113,22 +113,27 @@ Projection<S> project_volume_and_supports(const Model& model, const S& target, S
   S low(-1e300), high(1e300), multiplier(0.0);
   Mask<S> settled = S(1.0) < S(0.0);
   w.corrected = w.predicted;
+  if (rings.size() == 0) return {multiplier, S(0.0) < S(1.0)};  // nothing holds this body's volume
   for (int search = 0; search < max_searches && !all(settled); ++search) {
     detail::project_onto_supports(model, state, w);
     calc_volume_gradient<S>(rings, w.corrected, w.gradient);
     if (search == 0) detail::calc_direction(model, w);
     detail::slide_along_supports(model, state, w);
     const VolumeCubic<S> cubic = detail::volume_along_direction(rings, w);
+    Mask<S> reached = S(1.0) < S(0.0);
     if (search > 0) {
       const S excess = cubic(multiplier) - target;
       low = select(excess < S(0.0), multiplier, low);
       high = select(S(0.0) < excess, multiplier, high);
+      // The contacts are those at `multiplier`: where the volume is right to round-off, this is the solution.
+      const S round_off = S(4.0 * std::numeric_limits<double>::epsilon()) * target;
+      reached = (excess < round_off) & (-round_off < excess);
     }
     const S root = solve_volume(cubic, target);
     const Mask<S> exhausted = detail::bracket_is_point(low, high);
     const Mask<S> accepted = ((low < root) & (root < high)) | exhausted;
-    multiplier = select(accepted, root, S(0.5) * low + S(0.5) * high);
-    settled = accepted & (detail::update_touching(model, multiplier, w, state) | exhausted);
+    multiplier = select(reached, multiplier, select(accepted, root, S(0.5) * low + S(0.5) * high));
+    settled = reached | (accepted & (detail::update_touching(model, multiplier, w, state) | exhausted));
   }
   for (int vertex : rings.vertex) {
     const auto i = static_cast<std::size_t>(vertex);

@@ -25,6 +25,7 @@ struct Place {
 
 std::string shown(const toml::node& node) {
   std::ostringstream out;
+  if (const auto* number = node.as_floating_point()) return fmt::format("{}", number->get());
   node.visit([&](const auto& value) { out << value; });
   std::string text = out.str();
   std::replace(text.begin(), text.end(), '\n', ' ');
@@ -120,9 +121,7 @@ Vec3d read_direction(const toml::node& node, const std::string& what, const Plac
   if (!list || list->size() != 3)
     place.fail(fmt::format("{} is {}, expected {}", what, shown(node), expected));
   const auto at = [&](std::size_t i) { return number_of(*list->get(i), what, expected, place); };
-  const Vec3d direction{at(0), at(1), at(2)};
-  if (dot(direction, direction) == 0.0) place.fail(what + " is zero, expected a direction");
-  return direction;
+  return {at(0), at(1), at(2)};
 }
 
 class Reader {
@@ -140,16 +139,19 @@ class Reader {
       const auto target = base->value_exact<std::string>();
       if (!target) place.fail("extends is " + shown(*base) + ", expected the name of a scenario file");
       if (depth >= 8) place.fail("extends goes more than 8 files deep; does a file extend itself?");
-      read(path.parent_path() / *target, depth + 1);
+      const auto parent = path.parent_path() / *target;
+      std::error_code ignored;
+      if (!std::filesystem::exists(parent, ignored))
+        place.fail(
+            fmt::format("extends {}: no such file, expected the name of a scenario file", parent.string()));
+      read(parent, depth + 1);
     }
     read_table(root, "", name);
   }
 
-  void set(const std::string& setting) {
-    const Place place{"--set " + setting, 0};
-    const auto equals = setting.find('=');
-    if (equals == std::string::npos) place.fail("expected key=value, as in parameters.k_muscle_N_per_m=30");
-    const std::string path = setting.substr(0, equals), text = setting.substr(equals + 1);
+  void set(const Setting& setting) {
+    const Place place{setting.where, 0};
+    const std::string &path = setting.key, &text = setting.value;
     const ScenarioKey* key = find_key(path);
     if (!key) unknown_key(path, place);
     const bool plain = std::holds_alternative<ScenarioKey::Choice>(key->kind) ||
@@ -160,6 +162,8 @@ class Reader {
     else
       try {
         table = toml::parse("value = " + text);
+        if (table.size() != 1)
+          place.fail(fmt::format("{} is '{}', expected {}", path, text, expectation(*key)));
       } catch (const toml::parse_error&) {
         place.fail(fmt::format("{} is '{}', expected {}", path, text, expectation(*key)));
       }
@@ -231,9 +235,11 @@ class Reader {
         const Place at{place.file, key_text.source().begin.line};
         if (key == "region" && value.is_string())
           load.region = *value.value_exact<std::string>();
-        else if (key == "direction")
+        else if (key == "direction") {
           load.direction = read_direction(value, path + ".direction", at);
-        else if (key == events_key)
+          if (dot(load.direction, load.direction) == 0.0)
+            at.fail(path + ".direction is zero, expected a direction");
+        } else if (key == events_key)
           load.magnitude = read_events(value, path + "." + key, is_force ? 1.0 : 1e-3, 0.0, at);
         else
           at.fail(
@@ -260,10 +266,24 @@ std::string ScenarioFile::where(const std::string& key) const {
 ScenarioFile read_scenario(const std::filesystem::path& path, const std::vector<std::string>& settings) {
   ScenarioFile file;
   file.path = path.string();
-  Reader reader(file);
-  reader.read(path, 0);
-  for (const std::string& setting : settings) reader.set(setting);
+  Reader(file).read(path, 0);
+  apply_settings(settings, file);
   return file;
+}
+
+Setting setting_of(const std::string& text) {
+  const auto equals = text.find('=');
+  if (equals == std::string::npos)
+    throw InputError("--set " + text + ": expected key=value, as in parameters.k_muscle_N_per_m=30");
+  return {text.substr(0, equals), text.substr(equals + 1), "--set " + text};
+}
+
+void apply_settings(const std::vector<Setting>& settings, ScenarioFile& file) {
+  for (const Setting& setting : settings) Reader(file).set(setting);
+}
+
+void apply_settings(const std::vector<std::string>& settings, ScenarioFile& file) {
+  for (const std::string& text : settings) Reader(file).set(setting_of(text));
 }
 
 Trunk build_trunk(const ScenarioFile& file) {
@@ -274,6 +294,8 @@ Trunk build_trunk(const ScenarioFile& file) {
   try {
     trunk = make_trunk(file.scenario);
   } catch (const InputError& error) {
+    for (const RegionLoad& load : file.scenario.loads)  // a load names its own line
+      if (std::string_view(error.what()).starts_with(load.origin + ": ")) throw;
     throw at(file.path, error);
   }
   try {

@@ -21,21 +21,29 @@ struct ScenarioFile {
   std::string where(const std::string& key) const;
 };
 
-/// Reads a scenario. `extends = "other.toml"` (relative to the file) is read first and overridden. `settings`
-/// are "key=value" texts as given to --set, applied last. Throws InputError with file, line, what was found
-/// and what was expected on anything that is not understood: TOML syntax, unknown keys, wrong units, numbers
-/// out of range or not finite, a chain of files that extends itself.
+/// A value put over a scenario, as --set or a sweep does. `where` is for messages: "--set key=value",
+/// file:line.
+struct Setting {
+  std::string key, value, where;
+};
+
+/// Takes "key=value" apart. Throws InputError.
+Setting setting_of(const std::string& text);
+
+/// Reads a scenario. `extends = "other.toml"` (relative to the file) is read first and overridden. Throws
+/// InputError with file, line, what was found and what was expected on anything that is not understood: TOML
+/// syntax, unknown keys, wrong units, numbers out of range or not finite, a chain of files that extends
+/// itself. `settings` are "key=value" texts as given to --set, applied last.
 ScenarioFile read_scenario(const std::filesystem::path& path, const std::vector<std::string>& settings = {});
+
+/// Puts values over a scenario that was read. Throws as read_scenario does.
+void apply_settings(const std::vector<Setting>& settings, ScenarioFile& file);
+void apply_settings(const std::vector<std::string>& settings, ScenarioFile& file);
 
 /// Builds the trunk and requires a stable time step. InputErrors name the file and line to change.
 Trunk build_trunk(const ScenarioFile& file);
 
 /// The whole scenario as TOML, every key with its value: reading it gives the same scenario.
 std::string to_toml(const Scenario& scenario);
-
-/// A copy of the file at `from` in which the values of `keys` are those of `scenario`; comments and order
-/// stay. Throws InputError where a key is not set in that file.
-std::string with_values(const std::filesystem::path& from, const std::vector<std::string>& keys,
-                        const Scenario& scenario);
 
 }  // namespace trunk

@@ -197,6 +197,11 @@ std::string toml_value(const ScenarioKey& key, const Scenario& scenario) {
   if (const auto* b = std::get_if<Key::Switch>(&key.kind)) return b->field(s) ? "true" : "false";
   std::string quoted = "\"";
   for (char ch : std::get<Key::Text>(key.kind).field(s)) {
+    const auto code = static_cast<unsigned char>(ch);
+    if (code < 0x20 || code == 0x7F) {
+      quoted += fmt::format("\\u{:04X}", code);
+      continue;
+    }
     if (ch == '"' || ch == '\\') quoted += '\\';
     quoted += ch;
   }

@@ -1,9 +1,4 @@
 #include <fmt/format.h>
-#include <toml++/toml.h>
-
-#include <sstream>
-
-#include "errors/input_error.hpp"
 #include "io/scenario_file.hpp"
 #include "io/scenario_keys.hpp"
 
@@ -19,25 +14,6 @@ std::string events_text(const PiecewiseLinear& curve, double to_si) {
 
 std::string direction_text(const Vec3d& d) {
   return fmt::format("[{}, {}, {}]", d.x(), d.y(), d.z());
-}
-
-/// `text` with the value of line `line` (from 1), which reads key = value # comment, replaced.
-std::string with_line_value(const std::string& text, std::size_t line, const std::string& value) {
-  std::istringstream in(text);
-  std::string result, current;
-  for (std::size_t n = 1; std::getline(in, current); ++n) {
-    if (n == line) {
-      const auto equals = current.find('=');
-      const auto comment = current.find('#', equals);
-      const std::string tail = comment == std::string::npos ? "" : " " + current.substr(comment);
-      current = current.substr(0, equals + 1) + " " + value;
-      if (!tail.empty() && current.size() + 1 < comment)
-        current.resize(comment - 1, ' ');  // comments stay aligned
-      current += tail;
-    }
-    result += current + "\n";
-  }
-  return result;
 }
 
 }  // namespace
@@ -67,22 +43,6 @@ std::string to_toml(const Scenario& s) {
                     is_force ? "events_N" : "events_mm", events_text(load.magnitude, is_force ? 1.0 : 1e-3));
   }
   return text + tables;
-}
-
-std::string with_values(const std::filesystem::path& from, const std::vector<std::string>& keys,
-                        const Scenario& scenario) {
-  const ScenarioFile file = read_scenario(from);
-  std::string text = file.text;
-  for (const std::string& path : keys) {
-    const toml::table root = toml::parse(text);
-    const auto node = root.at_path(path);
-    if (!node)
-      throw InputError(from.string(), 0, "does not set " + path + ", expected it there to be replaced");
-    for (const ScenarioKey& key : scenario_keys())
-      if (key.path == path)
-        text = with_line_value(text, node.node()->source().begin.line, toml_value(key, scenario));
-  }
-  return text;
 }
 
 }  // namespace trunk

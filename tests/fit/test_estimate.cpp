@@ -1,5 +1,7 @@
 #include <catch2/catch.hpp>
 
+#include <cstdint>
+
 #include "estimation/estimate.hpp"
 #include "support/trunks.hpp"
 
@@ -27,7 +29,7 @@ Scenario healthy_scenario() {
 
 }  // namespace
 
-TEST_CASE("a twin at half the step gives its parameters back to 1e-3 from ten starts", "[regression]") {
+TEST_CASE("a twin at half the step gives its parameters back to 1e-3 from ten starts", "[regression][slow]") {
   const Scenario s = healthy_scenario();
   const Trunk trunk = make_trunk(s);
   Parameters<double> truth = s.parameters;
@@ -67,10 +69,12 @@ TEST_CASE("a slow breath with noise determines the ratio and says so", "[regress
   s.parameters.damping = 2.0;  // hardly any lag: k_elasticity by itself leaves no trace
   const Trunk trunk = make_trunk(s);
   Target target = twin(trunk, s, s.parameters);
-  unsigned state = 1;  // noise of 2 % of the tidal volume, the same everywhere
+  std::uint32_t state = 1;  // correlated noise, as residuals of real breaths are, the same everywhere
+  double noise = 0.0;
   for (double& v : target.delta_v) {
     state = state * 1664525u + 1013904223u;
-    v += 0.04 * 466e-6 * (state / 4294967296.0 - 0.5);
+    noise = 0.95 * noise + 0.14 * 466e-6 * (state / 4294967296.0 - 0.5);
+    v += noise;
   }
   const SearchSpace space({"k_elasticity", "k_muscle"}, {s.parameters, s.activation});
   const Estimation e = estimate(trunk, s, space, target, {});
@@ -78,7 +82,7 @@ TEST_CASE("a slow breath with noise determines the ratio and says so", "[regress
   CAPTURE(e.uncertainty->verdict);
   CHECK_FALSE(e.uncertainty->identifiable);
   CHECK(e.uncertainty->ratio.identifiable);
-  CHECK(e.uncertainty->ratio.value == Approx(s.parameters.muscle / s.parameters.elasticity).epsilon(0.01));
+  CHECK(e.uncertainty->ratio.value == Approx(s.parameters.muscle / s.parameters.elasticity).epsilon(0.05));
   CHECK_THAT(e.uncertainty->verdict, Contains("Only the ratio is determined"));
 }
 

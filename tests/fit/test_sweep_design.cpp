@@ -35,7 +35,9 @@ TEST_CASE("a grid is every scenario with every combination, the last axis fastes
   CHECK(d.values_of(1)[1] == Approx(100));
   CHECK(d.values_of(3)[0] == 2000);
   CHECK(d.values_of(11)[1] == Approx(1000));
-  CHECK(d.settings_of(3)[0] == "parameters.k_elasticity_N_per_m=2000");
+  CHECK(d.settings_of(3)[0].key == "parameters.k_elasticity_N_per_m");
+  CHECK(d.settings_of(3)[0].value == "2000");
+  CHECK_THAT(d.settings_of(3)[0].where, Contains("sweep.toml:4"));
 }
 
 TEST_CASE("a design that makes no sense is refused before anything runs", "[unit]") {

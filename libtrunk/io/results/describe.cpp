@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "results/description.hpp"
@@ -38,8 +39,8 @@ std::string print_numbers(const std::string& title, const std::vector<NamedValue
   if (numbers.empty()) return "";
   std::string out = title + "\n";
   for (const NamedValue& number : numbers) {
-    out +=
-        fmt::format("  {:<32} {:>14.6g} {}\n", printable(number.name), number.value, printable(number.unit));
+    const std::string value = std::isfinite(number.value) ? fmt::format("{:.6g}", number.value) : "not known";
+    out += fmt::format("  {:<32} {:>14} {}\n", printable(number.name), value, printable(number.unit));
   }
   return out;
 }
@@ -49,9 +50,13 @@ std::string print_fitted(const std::vector<FitRecord::Parameter>& parameters) {
   std::string out = "parameters: best, standard error, 95 % interval\n";
   for (const auto& parameter : parameters) {
     out += fmt::format("  {:<24} {:>12.6g}", printable(parameter.name), parameter.best);
-    out += parameter.free ? fmt::format(" ± {:.3g} [{:.6g}, {:.6g}]", parameter.stderr_, parameter.lower95,
-                                        parameter.upper95)
-                          : " fixed";
+    if (!parameter.free)
+      out += " fixed";
+    else if (std::isfinite(parameter.stderr_))
+      out +=
+          fmt::format(" ± {:.3g} [{:.6g}, {:.6g}]", parameter.stderr_, parameter.lower95, parameter.upper95);
+    else
+      out += " uncertainty not known";
     out += fmt::format(" {}{}\n", printable(parameter.unit), parameter.at_bound ? ", AT ITS BOUND" : "");
   }
   return out;

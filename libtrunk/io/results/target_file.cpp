@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 [[noreturn]] void fail(const fs::path& path, const std::string& what, int error) {
-  throw std::runtime_error(path.string() + ": " + what + ": " + std::strerror(error));
+  throw InputError(path.string(), 0, what + ": " + std::strerror(error));
 }
 
 fs::path folder_of(const fs::path& path) {
@@ -89,18 +89,14 @@ void require_writable_target(const fs::path& path, bool force) {
   const fs::file_status folder = fs::status(folder_of(path), error);
   if (!fs::exists(folder)) refuse("its folder does not exist, create it first");
   if (!fs::is_directory(folder)) refuse("what should be its folder is a file");
-  try {
-    PartFile trial(path);
-  } catch (const std::runtime_error& refused) {
-    throw InputError(refused.what());
-  }
+  PartFile trial(path);
 }
 
 void replace_file(const fs::path& path, std::span<const std::byte> bytes) {
   std::error_code error;
   const fs::file_status target = fs::status(path, error);
   if (fs::exists(target) && !fs::is_regular_file(target)) {
-    throw std::runtime_error(path.string() + ": exists and is not a file, it cannot be replaced");
+    throw InputError(path.string(), 0, "exists and is not a file, it cannot be replaced");
   }
   PartFile part(path);
   part.write_all(bytes);

@@ -13,7 +13,7 @@ void require_writable_target(const std::filesystem::path& path, bool force);
 
 /// Stores `bytes` at `path`, whole or not at all: written to a new file beside it (its name ends in
 /// `.part`), synchronised, renamed. An old file, and whoever reads it, are left alone until then.
-/// Throws std::runtime_error that names the file and the cause; the `.part` file is gone then.
+/// Throws InputError that names the file and the cause; the `.part` file is gone then.
 ///
 /// A limit on file sizes (`ulimit -f`) is such a cause only in a program that ignores SIGXFSZ.
 void replace_file(const std::filesystem::path& path, std::span<const std::byte> bytes);
