@@ -4,7 +4,7 @@
 
 #include "commands/commands.hpp"
 #include "recording/provenance.hpp"
-#include "recording/records.hpp"
+#include "recording/run_record.hpp"
 #include "results/run_file.hpp"
 #include "results/summary.hpp"
 #include "results/target_file.hpp"

@@ -1,25 +1,17 @@
 #include "sweep/design.hpp"
 
 #include <fmt/format.h>
-#include <toml++/toml.h>
 
 #include <cmath>
-#include <sstream>
 
 #include "errors/input_error.hpp"
 #include "io/text_file.hpp"
+#include "io/toml_values.hpp"
 
 namespace trunk {
 namespace {
 
 constexpr std::size_t most_runs = 1'000'000, largest_file = 1'000'000;
-
-std::string found(const toml::node* node) {
-  if (!node) return "nothing";
-  std::ostringstream out;
-  node->visit([&](const auto& value) { out << value; });
-  return out.str().substr(0, 60);
-}
 
 struct Reader {
   std::string file;
@@ -31,7 +23,8 @@ struct Reader {
   double number(const toml::node* node, const toml::node& parent, const std::string& what) const {
     const auto value = node && node->is_number() ? node->value<double>() : std::nullopt;
     if (!value || !std::isfinite(*value))
-      fail(node ? *node : parent, fmt::format("{}: found {}, expected a finite number", what, found(node)));
+      fail(node ? *node : parent,
+           fmt::format("{}: found {}, expected a finite number", what, node ? shown(*node) : "nothing"));
     return *value;
   }
 
@@ -139,13 +132,7 @@ SweepDesign read_sweep_design(const std::filesystem::path& path) {
   design.path = path.string();
   design.text = read_text_file(path, largest_file);
   const Reader reader{design.path};
-  toml::table root;
-  try {
-    root = toml::parse(design.text, design.path);
-  } catch (const toml::parse_error& error) {
-    throw InputError(design.path, error.source().begin.line,
-                     fmt::format("not valid TOML: {}", std::string(error.description())));
-  }
+  const toml::table root = parse_toml(design.text, design.path);
   for (const auto& [key, node] : root) {
     if (key == "schema") {
       if (node.value_exact<std::string>() != "trunk.sweep/1")

@@ -6,7 +6,7 @@
 
 #include "errors/input_error.hpp"
 #include "recording/provenance.hpp"
-#include "recording/records.hpp"
+#include "recording/run_record.hpp"
 #include "results/run_file.hpp"
 #include "sweep/table.hpp"
 #include "sweep/workers.hpp"

@@ -66,4 +66,10 @@ StepReport<S> step(const Model& model, const Parameters<S>& parameters, const S&
   return {S(1.0 / (w.dt_s * w.dt_s)) * projection.multiplier, projection.found};
 }
 
+// The kernel for double is compiled once, in step.cpp.
+extern template void calc_forces<double>(const Model&, const Parameters<double>&, const double&,
+                                         const State<double>&, Workspace<double>&) noexcept;
+extern template StepReport<double> step<double>(const Model&, const Parameters<double>&, const double&,
+                                                State<double>&, Workspace<double>&) noexcept;
+
 }  // namespace trunk

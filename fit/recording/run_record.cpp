@@ -1,4 +1,4 @@
-#include "recording/records.hpp"
+#include "recording/run_record.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -51,7 +51,8 @@ std::vector<double> scaled_by(double factor, std::vector<double> values) {
   return values;
 }
 
-/// The scenario in full, so that it can be run again, with the text the user gave as comments at its end.
+}  // namespace
+
 std::string scenario_text(const ScenarioFile& file) {
   std::string text = to_toml(file.scenario) + "\n# as given in " + file.path + ":\n# ";
   for (char c : file.text) {
@@ -60,68 +61,6 @@ std::string scenario_text(const ScenarioFile& file) {
   }
   return text + "\n";
 }
-
-std::vector<NamedValue> statistics_of(const Estimation& e) {
-  std::vector<NamedValue> s = {
-      {"nrmse_percent", "percent", 100.0 * e.quality.nrmse},
-      {"tidal_volume_measured_ml", "ml", e.quality.tidal_volume_m3 / ml},
-      {"tidal_volume_error_ml", "ml", e.quality.tidal_volume_error_m3 / ml},
-      {"peak_time_error_s", "s", e.quality.peak_time_error_s},
-      {"baseline_nrmse_percent", "percent", 100.0 * e.quality.baseline_nrmse},
-      {"failed_evaluations", "1", static_cast<double>(e.failures)},
-  };
-  if (e.uncertainty) {
-    s.push_back({"residual_autocorrelation", "1", e.uncertainty->residual_autocorrelation});
-    s.push_back({"condition_number", "1", e.uncertainty->condition_number});
-    s.push_back({"ratio", "1", e.uncertainty->ratio.value});
-    s.push_back({"ratio_lower95", "1", e.uncertainty->ratio.lower95});
-    s.push_back({"ratio_upper95", "1", e.uncertainty->ratio.upper95});
-  }
-  return s;
-}
-
-std::vector<FitRecord::Parameter> fitted_parameters(const SearchSpace& space, const Candidate& start,
-                                                    const Estimation& e) {
-  std::vector<FitRecord::Parameter> result;
-  Candidate initial = start, best = e.best;
-  for (const FreeParameter& p : free_parameters()) {
-    FitRecord::Parameter r;
-    r.name = p.name;
-    r.unit = p.unit;
-    r.initial = p.field(initial);
-    r.best = p.field(best);
-    r.lower = p.lower;
-    r.upper = p.upper;
-    r.free = false;
-    r.stderr_ = r.lower95 = r.upper95 = std::nan("");
-    for (std::size_t i = 0; i < space.size(); ++i)
-      if (space.parameter(i).name == p.name) {
-        r.free = true;
-        if (!e.uncertainty) continue;
-        const Estimate& u = e.uncertainty->parameters[i];
-        r.stderr_ = u.stderr_;
-        r.lower95 = u.lower95;
-        r.upper95 = u.upper95;
-        r.at_bound = u.at_bound;
-      }
-    result.push_back(r);
-  }
-  return result;
-}
-
-void add_evaluations(const SearchSpace& space, const Estimation& e, FitRecord& fit) {
-  for (std::size_t i = 0; i < space.size(); ++i) fit.evaluation_names.emplace_back(space.parameter(i).name);
-  for (const Evaluation& evaluation : e.evaluations) {
-    Candidate c = space.decode(evaluation.x);
-    for (std::size_t i = 0; i < space.size(); ++i) fit.evaluation_x.push_back(space.parameter(i).field(c));
-    const bool done = evaluation.status == Summary::Status::completed;
-    fit.evaluation_objective.push_back(done ? evaluation.objective : std::nan(""));
-    fit.evaluation_status.push_back(done ? 0 : static_cast<std::int32_t>(evaluation.status));
-    fit.evaluation_wall_s.push_back(evaluation.wall_s);
-  }
-}
-
-}  // namespace
 
 std::vector<NamedValue> measures_of(const BreathRun& run) {
   if (!run.summary.completed()) {  // half a breath has no measures
@@ -211,48 +150,6 @@ RunRecord run_record(const ScenarioFile& file, const Trunk& trunk, const BreathR
   }
   r.provenance = provenance;
   return r;
-}
-
-FitRecord fit_record(const ScenarioFile& file, const Trunk& trunk, const SearchSpace& space,
-                     const Target& target, const MeasuredBreath& breath, const Estimation& e,
-                     const SearchOptions& options, const std::string& status, const BreathRun& run,
-                     const Provenance& provenance) {
-  FitRecord fit;
-  fit.title = file.scenario.title;
-  fit.status = status;
-  fit.message = e.search.stop_reason;
-  fit.scenario_toml = scenario_text(file);
-  fit.verdict = e.uncertainty ? e.uncertainty->verdict : "";
-  fit.stop_reason = e.search.stop_reason;
-  fit.algorithm = options.algorithm;
-  fit.parameters = fitted_parameters(space, {file.scenario.parameters, file.scenario.activation}, e);
-  add_evaluations(space, e, fit);
-  if (e.uncertainty) {
-    fit.covariance_names = fit.evaluation_names;
-    const Eigen::MatrixXd& c = e.uncertainty->log_covariance;
-    for (Eigen::Index i = 0; i < c.rows(); ++i)
-      for (Eigen::Index j = 0; j < c.cols(); ++j) fit.covariance.push_back(c(i, j));
-  }
-  fit.measured_time_s = target.time_s;
-  fit.measured_m3 = target.delta_v;
-  fit.sigma_m3 = breath.sigma_m3;
-  if (target.is_tidal_volume()) {
-    fit.measured_time_s = {run.time_s[static_cast<std::size_t>(
-        std::max_element(run.delta_v.begin(), run.delta_v.end()) - run.delta_v.begin())]};
-    fit.sigma_m3 = {};
-  }
-  fit.result_time_s = fit.measured_time_s;
-  fit.dV_fit_m3.assign(e.model.data(), e.model.data() + e.model.size());
-  for (std::size_t i = 0; i < fit.dV_fit_m3.size(); ++i)
-    fit.residual_m3.push_back(fit.dV_fit_m3[i] - target.delta_v[i]);
-  fit.statistics = statistics_of(e);
-  fit.provenance = provenance;
-
-  ScenarioFile best = file;
-  best.scenario.parameters = e.best.parameters;
-  best.scenario.activation = e.best.activation;
-  fit.best_run = run_record(best, trunk, run, target, provenance);
-  return fit;
 }
 
 }  // namespace trunk

@@ -25,10 +25,7 @@ std::string status_word(Summary::Status status);
 RunRecord run_record(const ScenarioFile& file, const Trunk& trunk, const BreathRun& run,
                      const Target& measured, const Provenance& provenance);
 
-/// `status` is as in `fit --json`. `run` is the breath at the best parameters.
-FitRecord fit_record(const ScenarioFile& file, const Trunk& trunk, const SearchSpace& space,
-                     const Target& target, const MeasuredBreath& breath, const Estimation& estimation,
-                     const SearchOptions& options, const std::string& status, const BreathRun& run,
-                     const Provenance& provenance);
+/// The scenario in full, so that it can be run again, with the text the user gave as comments at its end.
+std::string scenario_text(const ScenarioFile& file);
 
 }  // namespace trunk
