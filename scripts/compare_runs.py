@@ -6,6 +6,7 @@
 
 import argparse
 import pathlib
+import sys
 
 import h5py
 
@@ -22,8 +23,11 @@ ROWS = [
 
 
 def measures(path):
-    with h5py.File(path) as run:
-        return {name: float(value[()]) for name, value in run["measures"].items()}
+    try:
+        with h5py.File(path) as run:
+            return {name: float(value[()]) for name, value in run["measures"].items()}
+    except (OSError, KeyError) as error:
+        sys.exit(f"{path}: not a run file written by trunk simulate ({error})")
 
 
 def main():
@@ -31,7 +35,7 @@ def main():
     parser.add_argument("run", nargs="+", type=pathlib.Path, help="run files (HDF5)")
     paths = parser.parse_args().run
     columns = [measures(path) for path in paths]
-    width = max(12, *(len(path.stem) for path in paths))
+    width = 2 + max(10, *(len(path.stem) for path in paths))
     print(f"{'':30}" + "".join(f"{path.stem:>{width}}" for path in paths) + f"{'change':>10}")
     for name, label, unit in ROWS:
         values = [column[name] for column in columns]

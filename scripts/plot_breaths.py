@@ -56,10 +56,13 @@ def main():
         parser.error("expected run files, --fit or both")
     figure, axes = plt.subplots(2, columns, sharex="col", squeeze=False, figsize=(5.2 * columns, 5),
                                 height_ratios=[3, 1], layout="constrained")
-    if arguments.fit:
-        plot_fit(arguments.fit, axes[0, 0], axes[1, 0])
-    if arguments.run:
-        plot_runs(arguments.run, axes[0, -1], axes[1, -1])
+    try:
+        if arguments.fit:
+            plot_fit(arguments.fit, axes[0, 0], axes[1, 0])
+        if arguments.run:
+            plot_runs(arguments.run, axes[0, -1], axes[1, -1])
+    except (OSError, KeyError) as error:
+        parser.error(f"not a file of the kind expected: {error}")
     figure.savefig(arguments.output, dpi=150)
 
 

@@ -31,7 +31,7 @@ install_packages() {
 # build_with PRESET: configures and builds in the folder the preset names.
 build_with() {
   say "Building ($1)"
-  cmake --preset "$1" -Wno-dev > "/tmp/trunk_configure.$$" || { cat "/tmp/trunk_configure.$$"; return 1; }
-  rm -f "/tmp/trunk_configure.$$"
+  local log
+  log=$(cmake --preset "$1" -Wno-dev 2>&1) || { printf '%s\n' "$log"; return 1; }
   cmake --build --preset "$1"
 }

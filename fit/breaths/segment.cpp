@@ -102,6 +102,19 @@ void subtract_baseline(VolumeSignal& signal, const KnotLine& rest, double drift)
   for (std::size_t i = 0; i < signal.time_s.size(); ++i) signal.volume_m3[i] -= rest(signal.time_s[i], drift);
 }
 
+/// Lungs rest empty: a signal that spends clearly more time above three quarters of its breaths than below
+/// one quarter is probably upside down (our choice: half as much again).
+bool rests_full(const Segmentation& s) {
+  double low = 0, high = 0;
+  for (const Breath& b : s.breaths)
+    for (std::size_t i = 0; i < s.time_s.size(); ++i)
+      if (s.time_s[i] >= b.onset_s && s.time_s[i] < b.end_s) {
+        low += s.volume_m3[i] < 0.25 * b.tidal_volume_m3 ? 1 : 0;
+        high += s.volume_m3[i] > 0.75 * b.tidal_volume_m3 ? 1 : 0;
+      }
+  return high > 1.5 * low;
+}
+
 void add_notes(Segmentation& result, double drift) {
   const double period = median_of(result.breaths, duration);
   const double per_breath = drift * period, usual_volume = median_of(result.breaths, tidal_volume);
@@ -112,8 +125,10 @@ void add_notes(Segmentation& result, double drift) {
   if (before > 0.05 * period || after > 0.05 * period)
     result.notes.push_back("not used: " + seconds(before) + " before the first and " + seconds(after) +
                            " after the last whole breath");
-  if (median_of(result.breaths, inspired_part) > 0.6)
-    result.notes.push_back("inspiration takes over 60 % of the breaths: the signal may have the wrong sign");
+  if (rests_full(result))
+    result.notes.push_back(
+        "the signal rests near its highest values, as lungs do not: is it positive on expiration? Then use "
+        "--invert");
 }
 
 }  // namespace

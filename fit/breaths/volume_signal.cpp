@@ -79,7 +79,7 @@ std::size_t remove_resets(std::vector<double>& volume) {
     const double jump = raw[i] - raw[i - 1], nearby = step_nearby(raw, i, i);
     const bool lands_on_zero = std::abs(raw[i]) <= 0.02 * range;
     // A jump is followed by ordinary steps; an outlier would step back.
-    if (lands_on_zero && std::abs(jump) > 0.01 * range && std::abs(jump) > 4 * nearby) {
+    if (lands_on_zero && std::abs(jump) > 0.05 * range && std::abs(jump) > 4 * nearby) {
       const double step_before = i >= 2 ? raw[i - 1] - raw[i - 2] : 0;
       offset += step_before - jump;
       ++resets;

@@ -9,11 +9,11 @@ namespace {
 
 struct Request {
   std::string trace;
-  TraceOptions options;
+  SignalOptions signal;
 };
 
 Exit breaths_command(const Common& common, const Request& request) {
-  const Segmentation s = segment_breaths(read_trace(request.trace, request.options));
+  const Segmentation s = segment_breaths(read_signal(request.trace, request.signal));
   Json list = Json::array();
   std::string text = "  breath   onset s    peak s     end s  tidal ml  kept\n";
   int number = 0, kept = 0;
@@ -48,17 +48,25 @@ Exit breaths_command(const Common& common, const Request& request) {
 
 }  // namespace
 
-void add_trace_options(CLI::App& command, TraceOptions& options) {
-  command.add_option("--time", options.time_column, "name of the time column, if it is not time_s");
-  command.add_option("--signal", options.value_column,
+void add_signal_options(CLI::App& command, SignalOptions& options) {
+  command.add_option("--time", options.columns.time_column, "name of the time column, if it is not time_s");
+  command.add_option("--signal", options.columns.value_column,
                      "name of the flow or volume column; its unit must end the name");
+  command.add_flag("--invert", options.invert, "the signal is positive on expiration: turn its sign");
+}
+
+Trace read_signal(const std::string& path, const SignalOptions& options) {
+  Trace trace = read_trace(path, options.columns);
+  if (options.invert)
+    for (double& value : trace.value) value = -value;
+  return trace;
 }
 
 void add_breaths(CLI::App& app, Common& common, Run& run) {
   auto* command = app.add_subcommand("breaths", "Show what segmentation makes of a trace");
   const auto request = std::make_shared<Request>();
   command->add_option("TRACE", request->trace, "lung volume or flow trace (CSV)")->required();
-  add_trace_options(*command, request->options);
+  add_signal_options(*command, request->signal);
   command->add_flag("--json", common.json, "print one JSON object");
   command->callback(
       [&common, &run, request] { run = [&common, request] { return breaths_command(common, *request); }; });

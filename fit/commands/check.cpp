@@ -13,7 +13,7 @@ namespace {
 struct Request {
   std::string scenario, trace;
   std::vector<std::string> settings;
-  TraceOptions columns;
+  SignalOptions signal;
   bool keys = false;
 };
 
@@ -62,7 +62,7 @@ Exit check_command(const Common& common, const Request& request) {
                                  request.scenario, trunk.model.particles(), file.scenario.time.steps(),
                                  1e3 * file.scenario.time.dt_s, 1e3 * bound_s);
   if (!request.trace.empty()) {
-    const MeasuredBreath breath = mean_breath(segment_breaths(read_trace(request.trace, request.columns)));
+    const MeasuredBreath breath = mean_breath(segment_breaths(read_signal(request.trace, request.signal)));
     json["breaths_used"] = breath.breaths_used;
     json["tidal_volume_ml"] = 1e6 * breath.tidal_volume_m3;
     text += fmt::format("\n{}: good. {} breaths used, {} rejected, tidal volume {:.0f} ml, {:.2f} s a breath",
@@ -82,7 +82,7 @@ void add_check(CLI::App& app, Common& common, Run& run) {
   command->add_option("--trace", request->trace, "lung volume or flow trace (CSV)");
   command->add_option("--set", request->settings, "key=value, over the scenario; may be repeated")
       ->take_all();
-  add_trace_options(*command, request->columns);
+  add_signal_options(*command, request->signal);
   command->add_flag("--keys", request->keys, "list all keys of a scenario with units, limits and defaults");
   command->add_flag("--json", common.json, "print one JSON object");
   command->callback(

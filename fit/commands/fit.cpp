@@ -20,7 +20,7 @@ namespace {
 struct Request {
   std::string scenario, trace, output, breath = "mean", save_scenario;
   double tidal_volume_ml = 0.0;
-  TraceOptions columns;
+  SignalOptions signal;
   std::vector<std::string> free, fixed, settings;
   SearchOptions search;
   bool keep_timing = false;
@@ -51,6 +51,18 @@ std::string apply_fixed(const std::string& text, ScenarioFile& file) {
   return name;
 }
 
+/// A setting that the trace would overwrite is a contradiction, not a wish.
+void require_no_timing(const Request& request) {
+  static constexpr std::string_view timed[] = {"activation.onset_s",     "activation.rise_s",
+                                               "activation.fast_fall_s", "activation.slow_fall_s",
+                                               "activation.period_s",    "time.duration_s"};
+  for (const std::string& text : request.settings)
+    for (std::string_view key : timed)
+      if (setting_of(text).key == key)
+        throw InputError(fmt::format(
+            "--set {}: the timing is taken from the trace, expected --keep-timing beside it", text));
+}
+
 /// The names to fit: what --free says, or the two of the paper (one where there is but one number), less the
 /// fixed ones.
 std::vector<std::string> names_to_fit(const Request& request, const std::vector<std::string>& fixed) {
@@ -68,14 +80,18 @@ std::vector<std::string> names_to_fit(const Request& request, const std::vector<
 
 /// The breath to fit. `notes` are for the user, once all input is known to be good.
 MeasuredBreath measured_breath(const Request& request, std::vector<std::string>& notes) {
-  const Segmentation s = segment_breaths(read_trace(request.trace, request.columns));
+  const Segmentation s = segment_breaths(read_signal(request.trace, request.signal));
   notes = s.notes;
   if (request.breath == "mean") return mean_breath(s);
   std::size_t number = 0;
   const char* end = request.breath.data() + request.breath.size();
   if (std::from_chars(request.breath.data(), end, number).ptr != end || number == 0)
     throw InputError("--breath " + request.breath + ": expected mean or the number of a breath, from 1");
-  return single_breath(s, number);
+  const MeasuredBreath breath = single_breath(s, number);
+  if (!s.breaths[number - 1].kept)
+    notes.push_back(
+        fmt::format("breath {} would be left out of the mean: {}", number, s.breaths[number - 1].reason));
+  return breath;
 }
 
 Json interval_json(const Estimate& e) {
@@ -114,6 +130,13 @@ Json summary(const std::string& status, const Request& request, const Estimation
   json["verdict"] =
       e.uncertainty ? e.uncertainty->verdict : "The search did not converge: " + e.search.stop_reason;
   json["baseline_nrmse_percent"] = json_number(100.0 * e.quality.baseline_nrmse);
+  const auto& a = e.best.activation;
+  json["activation"] = {{"onset_s", a.onset_s},
+                        {"rise_s", a.rise_s},
+                        {"fast_fall_s", a.fast_fall_s},
+                        {"slow_fall_s", a.slow_fall_s},
+                        {"fast_fall_level", a.fast_fall_level},
+                        {"from_trace", !request.trace.empty() && !request.keep_timing}};
   json["algorithm"] = request.search.algorithm;
   json["stop_reason"] = e.search.stop_reason;
   json["evaluations"] = e.evaluations.size();
@@ -148,6 +171,10 @@ std::string table(const Estimation& e, const MeasuredBreath& breath, const Reque
       "{:+.3f} s\n",
       100.0 * e.quality.nrmse, 100.0 * e.quality.baseline_nrmse, 1e6 * e.quality.tidal_volume_error_m3,
       e.quality.peak_time_error_s);
+  const auto& a = e.best.activation;
+  text += fmt::format("  activation: rise {:.2f} s, fast fall {:.2f} s to {:.2g}, slow fall {:.2f} s ({})\n",
+                      a.rise_s, a.fast_fall_s, a.fast_fall_level, a.slow_fall_s,
+                      request.trace.empty() || request.keep_timing ? "of the scenario" : "from the trace");
   text += fmt::format("  {} evaluations, {} failed; {}\n", e.evaluations.size(), e.failures,
                       e.search.stop_reason);
   text += e.uncertainty ? e.uncertainty->verdict : "The search did not converge.";
@@ -186,12 +213,14 @@ Exit fit_command(const Common& common, const Request& request) {
   MeasuredBreath breath;
   std::vector<std::string> notes;
   Target target{{}, {1e-6 * request.tidal_volume_ml}};
+  const bool timing_from_trace = !request.trace.empty() && !request.keep_timing;
+  if (timing_from_trace) require_no_timing(request);
   if (!request.trace.empty()) {
     breath = measured_breath(request, notes);
     target = target_of(breath);
     file.inputs.push_back(request.trace);
     file.scenario.time.duration_s = breath.duration_s;
-    if (!request.keep_timing) adopt_timing(breath, file.scenario);
+    if (timing_from_trace) adopt_timing(breath, file.scenario);
   }
   std::vector<std::string> fixed;
   for (const std::string& text : request.fixed) fixed.push_back(apply_fixed(text, file));
@@ -206,10 +235,11 @@ Exit fit_command(const Common& common, const Request& request) {
   catch_interrupts();
   const auto start = std::chrono::steady_clock::now();
   int asked = 0;
-  const Estimation e = estimate(trunk, file.scenario, space, target, request.search, [&] {
-    print_progress(fmt::format("fitting: {} evaluations", ++asked));
-    return interrupted();
-  });
+  const Estimation e =
+      estimate(trunk, file.scenario, space, target, {request.search, timing_from_trace}, [&] {
+        print_progress(fmt::format("fitting: {} evaluations", ++asked));
+        return interrupted();
+      });
   if (interrupted()) {
     print_note("interrupted: nothing written");
     return Exit::interrupted;
@@ -258,7 +288,7 @@ void add_fit(CLI::App& app, Common& common, Run& run) {
   command->add_flag("--keep-timing", r->keep_timing, "activation as timed by the scenario, not by the trace");
   command->add_option("--save-scenario", r->save_scenario,
                       "write the scenario with the fitted values to this file");
-  add_trace_options(*command, r->columns);
+  add_signal_options(*command, r->signal);
   command->add_flag("--json", common.json, "print one JSON object");
   command->add_flag("--force", common.force, "replace result files that exist");
   command->callback([&common, &run, r] { run = [&common, r] { return fit_command(common, *r); }; });

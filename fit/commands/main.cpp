@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <gsl/gsl_errno.h>
 
 #include <csignal>
 #include <cstdio>
@@ -31,6 +32,7 @@ int report_usage(const CLI::App& app, const CLI::ParseError& error) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  gsl_set_error_handler_off();    // it would abort
   std::signal(SIGXFSZ, SIG_IGN);  // a limit on file sizes is then an error of write() like a full disk
   CLI::App app{
       "Fits a discrete model of the human trunk to lung volume traces, simulates it, sweeps scenarios."};
@@ -39,7 +41,7 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", trunk::version_text());
   app.footer(
       "Exit codes: 0 done, 2 bad input, 3 diverged or not converged, 4 a free parameter is not "
-      "identifiable.");
+      "identifiable, 130 interrupted.");
   trunk::Common common{joined(argc, argv), false, false};
   trunk::Run run;
   trunk::add_check(app, common, run);

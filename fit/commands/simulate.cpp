@@ -46,6 +46,10 @@ Exit simulate_command(const Common& common, const Request& request) {
   const BreathRun run = run_breath(trunk, file.scenario, frame_stride(file.scenario));
   write_run(request.output, run_record(file, trunk, run, {}, provenance_of(file.inputs, common.argv)));
 
+  if (run.flipped_triangles > 0)
+    print_note(fmt::format(
+        "note: {} triangles of the lung turned over: the breath is deeper than this model can follow",
+        run.flipped_triangles));
   const std::string text = fmt::format(
       "{}: {}\n{}  {} particles, {} steps of {:g} ms in {:.1f} ms; written to {}", file.scenario.title,
       run.summary.message, aligned(measures_of(run)), trunk.model.particles(), run.summary.steps,
@@ -64,7 +68,8 @@ void add_simulate(CLI::App& app, Common& common, Run& run) {
   command->add_option("--set", request->settings, "key=value, over the scenario; may be repeated")
       ->take_all();
   command->add_option("--from", request->parameters_from,
-                      "take the parameters of this fit or run (HDF5); --set goes over it");
+                      "take k_elasticity, k_muscle, damping and the activation's course of this fit or run "
+                      "(HDF5), not its geometry; --set goes over it");
   command->add_flag("--json", common.json, "print one JSON object");
   command->add_flag("--force", common.force, "replace the result file if it exists");
   command->callback(

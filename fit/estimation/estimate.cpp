@@ -2,6 +2,8 @@
 
 #include "estimation/start.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -29,6 +31,17 @@ Quality quality_of(const Target& target, const Eigen::VectorXd& model,
   q.peak_time_error_s = target.time_s[peak_of(model.data(), n)] - target.time_s[peak_of(measured.data(), n)];
   q.baseline_nrmse = normalised(fit_one_compartment(target, activation).residual_sum);
   return q;
+}
+
+/// Numbers from a model that misses the breath deserve a warning, however narrow their intervals.
+std::string caveat(const Quality& q) {
+  const double usual = 0.05;
+  if (q.baseline_nrmse <= 0.0 || q.nrmse < std::max(usual, 2.0 * q.baseline_nrmse)) return "";
+  return fmt::format(
+      " The model follows this breath poorly ({:.1f} % of tidal volume, a one-compartment model {:.1f} %): "
+      "trust its "
+      "numbers less than their intervals say.",
+      100.0 * q.nrmse, 100.0 * q.baseline_nrmse);
 }
 
 SearchResult search_twice(Objective& objective, const Eigen::VectorXd& start, SearchOptions options,
@@ -64,18 +77,21 @@ void adopt_timing(const MeasuredBreath& breath, Scenario& scenario) {
 }
 
 Estimation estimate(const Trunk& trunk, const Scenario& scenario, const SearchSpace& space,
-                    const Target& target, const SearchOptions& options,
+                    const Target& target, const EstimationOptions& options,
                     const std::function<bool()>& cancelled) {
   Objective objective(trunk, scenario.time, space, target);
   Estimation e;
-  e.search = search_twice(objective, space.start(), options, cancelled);
+  e.search = search_twice(objective, space.start(), options.search, cancelled);
   if (const Evaluation* best = objective.best()) {
     const Eigen::VectorXd x = best->x;  // a copy: more evaluations follow
     e.best = space.decode(x);
     const VolumeCurve curve = simulate_volume(trunk, e.best.parameters, e.best.activation, scenario.time);
     e.model = as_target_sees(target, curve.delta_v, scenario.time.dt_s);
     e.quality = quality_of(target, e.model, e.best.activation);
-    if (e.search.converged) e.uncertainty = assess(objective, x);
+    if (e.search.converged) {
+      e.uncertainty = assess(objective, x, options.timing_from_trace);
+      e.uncertainty->verdict += caveat(e.quality);
+    }
   }
   e.evaluations = objective.evaluations();
   e.failures = objective.failures();

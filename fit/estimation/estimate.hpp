@@ -38,11 +38,18 @@ Target target_of(const MeasuredBreath& breath);
 /// are those with which a one-compartment model follows the breath best.
 void adopt_timing(const MeasuredBreath& breath, Scenario& scenario);
 
+/// What is asked of an estimation beside the search.
+struct EstimationOptions {
+  SearchOptions search;
+  bool timing_from_trace =
+      false;  // the scenario's activation was adopted from the trace: it is uncertain too
+};
+
 /// Fits the parameters named in `space` to `target`: a start at the measured tidal volume, a search, a second
 /// one from its best point with a smaller step, uncertainty, baseline. Throws InputError on a target or space
 /// that make no sense; a search that fails is reported in the result.
 Estimation estimate(const Trunk& trunk, const Scenario& scenario, const SearchSpace& space,
-                    const Target& target, const SearchOptions& options,
+                    const Target& target, const EstimationOptions& options,
                     const std::function<bool()>& cancelled = {});
 
 }  // namespace trunk

@@ -38,6 +38,14 @@ Objective::Objective(const Trunk& trunk, const TimeGrid& grid, const SearchSpace
   for (double v : target.delta_v) target_energy_ += v * v;
 }
 
+std::optional<Eigen::VectorXd> Objective::residuals_of(const Candidate& candidate) const {
+  const VolumeCurve curve = simulate_volume(trunk_, candidate.parameters, candidate.activation, grid_);
+  if (!curve.summary.completed()) return std::nullopt;
+  const Eigen::VectorXd measured =
+      Eigen::VectorXd::Map(target_.delta_v.data(), static_cast<Eigen::Index>(target_.delta_v.size()));
+  return as_target_sees(target_, curve.delta_v, grid_.dt_s) - measured;
+}
+
 Objective::Outcome Objective::evaluate(const Eigen::VectorXd& x) {
   const Candidate candidate = space_.decode(x);
   const auto start = std::chrono::steady_clock::now();

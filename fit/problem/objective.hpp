@@ -35,6 +35,9 @@ class Objective {
   /// Model minus measured at the target's samples, m3; empty where the simulation failed.
   std::optional<Eigen::VectorXd> residuals(const Eigen::VectorXd& x);
 
+  /// The same for any candidate, in the search space or not; it is not recorded.
+  std::optional<Eigen::VectorXd> residuals_of(const Candidate& candidate) const;
+
   /// Sum of squared residuals, m6. Where the simulation failed, a finite penalty above any useful value that
   /// falls the longer the simulation lasted: NLopt 2.7.1 takes NaN or infinity for success.
   double operator()(const Eigen::VectorXd& x);

@@ -84,6 +84,7 @@ std::vector<NamedValue> measures_of(const BreathRun& run) {
           {"excursion_left_mm", "mm", m.excursion_left / mm},
           {"excursion_right_mm", "mm", m.excursion_right / mm},
           {"max_relative_volume_error", "1", run.max_relative_volume_error},
+          {"flipped_triangles", "1", static_cast<double>(run.flipped_triangles)},
           {"abdominal_pressure_peak_cmH2O", "cmH2O", peak_Pa / Pa_per_cmH2O}};
 }
 

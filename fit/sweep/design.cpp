@@ -102,7 +102,9 @@ void try_everything(const SweepDesign& design) {
 
 std::size_t SweepDesign::runs() const noexcept {
   std::size_t count = scenarios.size();
-  for (const Axis& axis : axes) count *= axis.values.size();
+  for (const Axis& axis : axes)
+    count = count > most_runs ? count
+                              : count * axis.values.size();  // no overflow: each factor is at most most_runs
   return count;
 }
 

@@ -18,7 +18,8 @@ namespace fs = std::filesystem;
 
 /// First line the number of runs, second the hash of all that decides their results.
 std::string fingerprint_of(const SweepDesign& design) {
-  std::string all = provenance_of({}, "").version + design.text;
+  const Provenance program = provenance_of({}, "");
+  std::string all = program.version + program.git_sha + (program.git_dirty ? "+" : "") + design.text;
   for (const auto& scenario : design.scenarios) all += to_toml(read_scenario(scenario).scenario);
   return fmt::format("{}\n{}\n", design.runs(), sha256_of_text(all));
 }
@@ -30,6 +31,15 @@ std::string read_fingerprint(const fs::path& folder) {
 
 fs::path run_path(const fs::path& folder, std::size_t run) {
   return folder / fmt::format("runs/{:05}.h5", run);
+}
+
+/// True for a new folder, and for one in which a sweep could only just begin.
+bool holds_nothing(const fs::path& folder) {
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (entry.path().extension() != ".part" &&
+        !(entry.path().filename() == "runs" && fs::is_empty(entry.path())))
+      return false;
+  return true;
 }
 
 /// What a killed sweep left half written.
@@ -55,7 +65,7 @@ SweepFolder::SweepFolder(fs::path path, const SweepDesign& design, bool force) :
   if (path_.filename().empty()) path_ = path_.parent_path();  // DIR/
   const std::string mine = fingerprint_of(design);
   std::string found = fs::is_directory(path_) ? read_fingerprint(path_) : "";
-  if (found.empty() && fs::is_directory(path_) && !fs::is_empty(path_) && !force)
+  if (found.empty() && fs::is_directory(path_) && !holds_nothing(path_) && !force)
     throw InputError(path_.string(), 0, "is not empty and holds no sweep, expected a new folder or --force");
   if (!found.empty() && found != mine) {
     if (!force)

@@ -55,8 +55,8 @@ void work_off(const std::vector<std::size_t>& items, unsigned threads, const std
   };
 
   std::vector<std::jthread> pool;
-  for (unsigned t = 0; t < threads; ++t) pool.emplace_back(worker);
   try {
+    for (unsigned t = 0; t < threads; ++t) pool.emplace_back(worker);
     while (std::optional<Result> result = next_result()) {
       take(std::move(*result));
       if (cancelled && cancelled()) halt();

@@ -84,19 +84,52 @@ Eigen::MatrixXd residual_jacobian(Objective& objective, const Eigen::VectorXd& x
   return jacobian;
 }
 
-Uncertainty assess(Objective& objective, const Eigen::VectorXd& x) {
+Eigen::MatrixXd timing_jacobian(const Objective& objective, const Eigen::VectorXd& x) {
+  const SearchSpace& space = objective.space();
+  const auto is_free = [&](std::string_view name) {
+    for (std::size_t i = 0; i < space.size(); ++i)
+      if (space.parameter(i).name == name) return true;
+    return false;
+  };
+  const Candidate best = space.decode(x);
+  Eigen::MatrixXd jacobian;
+  const auto add_column = [&](double step, auto change) {
+    Candidate ahead = best, behind = best;
+    change(ahead, step);
+    change(behind, -step);
+    const auto r_ahead = objective.residuals_of(ahead), r_behind = objective.residuals_of(behind);
+    if (!r_ahead || !r_behind)
+      throw std::runtime_error("the model cannot be simulated beside the best point: no uncertainty");
+    jacobian.conservativeResize(r_ahead->size(), jacobian.cols() + 1);
+    jacobian.col(jacobian.cols() - 1) = (*r_ahead - *r_behind) / (2.0 * step);
+  };
+  for (const char* name : {"rise", "fast_fall", "slow_fall", "fast_fall_level"})
+    if (!is_free(name))
+      add_column(1e-3, [&](Candidate& c, double step) { free_parameter(name).field(c) *= std::exp(step); });
+  add_column(1e-3, [](Candidate& c, double step) { c.activation.onset_s += step; });
+  return jacobian;
+}
+
+Uncertainty assess(Objective& objective, const Eigen::VectorXd& x, bool timing_from_trace) {
   const SearchSpace& space = objective.space();
   const auto residuals = objective.residuals(x);
   if (!residuals) throw std::runtime_error("the best point cannot be simulated");
   if (residuals->size() <= x.size()) return exact(objective, x);
   const Eigen::MatrixXd jacobian = residual_jacobian(objective, x);
-  const double freedom = std::max(1.0, static_cast<double>(residuals->size() - x.size()));
+  Eigen::MatrixXd all = jacobian;
+  if (timing_from_trace) {
+    const Eigen::MatrixXd timing = timing_jacobian(objective, x);
+    all.conservativeResize(Eigen::NoChange, jacobian.cols() + timing.cols());
+    all.rightCols(timing.cols()) = timing;
+  }
+  const double freedom = std::max(1.0, static_cast<double>(residuals->size() - all.cols()));
 
   Uncertainty u;
   u.residual_autocorrelation = lag_one_autocorrelation(*residuals);
   u.sigma_m3 = std::sqrt(residuals->squaredNorm() / freedom);
   const double rho = std::clamp(u.residual_autocorrelation, 0.0, 0.999);
-  const Eigen::MatrixXd covariance = least_squares_covariance(jacobian, u.sigma_m3, rho);
+  const Eigen::MatrixXd covariance =
+      least_squares_covariance(all, u.sigma_m3, rho).topLeftCorner(x.size(), x.size());
   const Eigen::MatrixXd to_logs = space.log_values_by_coordinates();
   u.log_covariance = to_logs * covariance * to_logs.transpose();
   const Eigen::VectorXd deviation = u.log_covariance.diagonal().cwiseSqrt().cwiseMax(1e-300);

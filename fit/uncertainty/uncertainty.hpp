@@ -40,8 +40,14 @@ double lag_one_autocorrelation(const Eigen::VectorXd& residuals);
 /// where no neighbour of `x` can be simulated.
 Eigen::MatrixXd residual_jacobian(Objective& objective, const Eigen::VectorXd& x);
 
-/// A free parameter is called identifiable where its 95 % interval spans less than a factor of 4 and it is
-/// not at a bound (our choice).
-Uncertainty assess(Objective& objective, const Eigen::VectorXd& x);
+/// Central differences of the residuals with respect to what was taken from the trace beforehand and is
+/// uncertain too: logarithms of rise and falls, the level after the fast fall, the onset (s). [samples, those
+/// of the five that are not free]. Throws as residual_jacobian does.
+Eigen::MatrixXd timing_jacobian(const Objective& objective, const Eigen::VectorXd& x);
+
+/// Uncertainty at the best point. With `timing_from_trace` the activation's timing counts as estimated
+/// together with the parameters, which widens their intervals. A free parameter is called identifiable where
+/// its 95 % interval spans less than a factor of 4 and it is not at a bound (our choice).
+Uncertainty assess(Objective& objective, const Eigen::VectorXd& x, bool timing_from_trace);
 
 }  // namespace trunk

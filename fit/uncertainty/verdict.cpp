@@ -35,7 +35,7 @@ std::string verdict_of(const Uncertainty& u) {
     else if (!(ratio_matters && e.name == "k_muscle"))
       add(open, text);
   }
-  if (open.empty()) return fmt::format("Determined by this trace: {}.", determined);
+  if (open.empty()) return fmt::format("Determined by this trace, for the damping assumed: {}.", determined);
   return fmt::format(
       "{}{}Not determined by this trace: {}. A deeper and a shallower breath, a longer undisturbed "
       "expiration, or a "

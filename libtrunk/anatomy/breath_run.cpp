@@ -17,6 +17,18 @@ double relative_volume_error(const Model& model, const State<double>& state) {
   return std::abs(volume / (fraction * model.abdomen.rest) - 1.0);
 }
 
+/// Triangles whose normal has turned by more than a right angle.
+int flipped(std::span<const Triangle> triangles, std::span<const Vec3d> before,
+            std::span<const Vec3d> after) {
+  const auto normal = [](const Triangle& t, std::span<const Vec3d> x) {
+    const auto at = [&](std::size_t corner) { return x[static_cast<std::size_t>(t[corner])]; };
+    return cross(at(1) - at(0), at(2) - at(0));
+  };
+  return static_cast<int>(std::count_if(triangles.begin(), triangles.end(), [&](const Triangle& t) {
+    return dot(normal(t, before), normal(t, after)) < 0.0;
+  }));
+}
+
 }  // namespace
 
 BreathRun run_breath(const Trunk& trunk, const Scenario& scenario, int frame_every) {
@@ -45,6 +57,7 @@ BreathRun run_breath(const Trunk& trunk, const Scenario& scenario, int frame_eve
   const auto start = std::chrono::steady_clock::now();
   run.summary = simulate(model, scenario.parameters, scenario.activation, scenario.time, observe);
   run.wall_s = seconds_since(start);
+  run.flipped_triangles = flipped(model.lung, model.rest, run.end_inspiration);
   run.measures = measures_between(shape_of(trunk, model.rest), shape_of(trunk, run.end_inspiration));
   return run;
 }

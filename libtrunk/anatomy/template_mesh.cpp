@@ -18,7 +18,7 @@ constexpr int around = 12;  // particles in a full ring
 // Profile of the diaphragm above the zone of apposition, as fractions of the trunk's half-axes and of the
 // dome height: steep muscular flanks up to the border of the central tendon, flat above it, a slight saddle
 // between the domes where the heart lies (our choice).
-constexpr double tendon_border_size = 0.76, tendon_border_height = 0.75;
+constexpr double tendon_border_size = 0.79, tendon_border_height = 0.75;
 constexpr double dome_top_size = 0.62, saddle_height = 0.95;
 
 /// Adds particles to the mesh, level by level.

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "errors/input_error.hpp"
 
 namespace trunk {
@@ -18,6 +20,26 @@ void require_usable(const Surface& surface) {
     if (neighbours.size() < 3 || neighbours.size() > max_valence)
       throw InputError(fmt::format("surface '{}': particle {} has {} neighbours, expected 3 to {}",
                                    surface.name(), vertex, neighbours.size(), max_valence));
+}
+
+/// Turns each ring so that it begins with the neighbour that lies most upward of the particle, then most
+/// forward: a choice that a left-right mirror image shares, so that a symmetric body stays symmetric.
+void begin_upward(RingTable& rings, std::span<const Vec3d> rest) {
+  const double tie = 1e-9;
+  for (const RingTable::Group& group : rings.groups)
+    for (int r = group.first; r < group.last; ++r) {
+      const Vec3d& particle = rest[static_cast<std::size_t>(rings.vertex[static_cast<std::size_t>(r)])];
+      const auto begin = rings.neighbour.begin() + group.first_neighbour + (r - group.first) * group.valence;
+      const auto toward = [&](int i) {
+        const Vec3d d = rest[static_cast<std::size_t>(i)] - particle;
+        return (1.0 / norm(d)) * d;
+      };
+      const auto first = std::max_element(begin, begin + group.valence, [&](int i, int j) {
+        const Vec3d a = toward(i), b = toward(j);
+        return std::abs(a.z() - b.z()) > tie ? a.z() < b.z() : a.y() + tie < b.y();
+      });
+      std::rotate(begin, first, begin + group.valence);
+    }
 }
 
 }  // namespace
@@ -38,6 +60,7 @@ ShapeMemory make_shape_memory(const Surface& surface, std::span<const Vec3d> res
                               std::span<const double> abdominal_share, Reaction reaction) {
   require_usable(surface);
   ShapeMemory memory{reaction, ring_table(surface), {}, {}, {}};
+  begin_upward(memory.rings, rest);
   for_each_ring(memory.rings, [&](std::size_t, std::size_t vertex, auto neighbours) {
     const LocalFrame<double> frame = frame_of(neighbours, rest);
     const Vec3d offset = rest[vertex] - frame.centre;

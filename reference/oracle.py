@@ -1,0 +1,97 @@
+#!/usr/bin/python3
+"""Simulates the scenario stored in a run file a second time, by an implementation that shares no code with
+libtrunk, and prints how far the two are apart. Exit code 0: within the tolerance, 1: not, 2: no such run.
+
+    build/trunk simulate scenarios/healthy.toml -o healthy.h5
+    reference/oracle.py healthy.h5
+"""
+
+import argparse
+import sys
+import time
+
+import numpy as np
+
+sys.dont_write_bytecode = True
+from oracle.body import Body, read_run  # noqa: E402 (the package beside this file)
+from oracle.elasticity import shape_memory  # noqa: E402
+from oracle.volume import VolumeAndRibs, enclosed_volume  # noqa: E402
+
+
+def activation(timing, t):
+    """A(t): a linear rise to 1, a fast fall to a level, a slow fall to 0."""
+    if timing["period_s"] > 0.0:
+        t %= timing["period_s"]
+    corners = np.cumsum([timing["onset_s"], timing["rise_s"], timing["fast_fall_s"], timing["slow_fall_s"]])
+    return np.interp(t, corners, [0.0, 1.0, timing["fast_fall_level"], 0.0])
+
+
+def forces(body, positions, active, t):
+    force = body.mass * body.gravity + shape_memory(body.rings, positions, body.published)
+    pull = active * body.fibre_stiffness * (positions[:, body.origin] - positions[:, body.insertion])
+    np.add.at(force.T, body.insertion, pull.T)
+    np.add.at(force.T, body.origin, -pull.T)
+    for particles, direction, magnitude in body.forces:
+        force[:, particles] += magnitude(t) * direction
+    return force
+
+
+def simulate(body, timing):
+    """Yields the positions at step 0 and after each step."""
+    positions, velocity = body.rest, np.zeros_like(body.rest)
+    constraint = VolumeAndRibs(body)
+    yield positions
+    for step in range(body.steps):
+        t, end = step * body.dt, (step + 1) * body.dt
+        force = forces(body, positions, activation(timing, t), t)
+        velocity = body.mobility * (body.mass * velocity + body.dt * force) / body.effective_mass
+        predicted = positions + body.dt * velocity
+        for particles, direction, magnitude in body.displacements:
+            for axis in np.flatnonzero(direction):
+                predicted[axis, particles] = body.rest[axis, particles] + magnitude(end) * direction[axis]
+        corrected = constraint.solve(predicted, body.target(end))
+        velocity = (corrected - positions) / body.dt
+        positions = corrected
+        yield positions
+
+
+def compare(run):
+    """(largest distance to the stored frames m, largest difference of dV ml, particle and step of the former)"""
+    body = Body(run)
+    frames = dict(zip(run.frame_steps.tolist(), run.frames))
+    lung_at_rest = enclosed_volume(body.rest, body.lung)
+    worst = (0.0, 0, 0)
+    apart_ml = 0.0
+    for step, positions in enumerate(simulate(body, run.scenario["activation"])):
+        delta_v_ml = 1e6 * (enclosed_volume(positions, body.lung) - lung_at_rest)
+        apart_ml = np.maximum(apart_ml, abs(delta_v_ml - run.delta_v_ml[step]))  # keeps NaN
+        if step in frames:
+            distance = np.linalg.norm(positions.T - frames.pop(step), axis=1)
+            worst = max(worst, (np.inf if np.isnan(distance).any() else distance.max(), distance.argmax(), step))
+    assert not frames, f"no step of this scenario is that of {len(frames)} stored frames"
+    return worst, apart_ml, body.steps
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("run", help="run file (HDF5) written by trunk simulate")
+    parser.add_argument("--tolerance", type=float, default=1e-9, metavar="M",
+                        help="largest distance of a particle that passes, m (default %(default)s)")
+    options = parser.parse_args()
+    try:
+        run = read_run(options.run)
+    except (OSError, KeyError, ValueError) as error:
+        print(f"oracle: {options.run}: not a run of trunk simulate: {error}", file=sys.stderr)
+        return 2
+    start = time.perf_counter()
+    (distance, particle, step), apart_ml, steps = compare(run)
+    within = bool(distance <= options.tolerance)
+    print(f"largest distance   {distance:.3g} m (particle {particle}, step {step})")
+    print(f"largest dV apart   {apart_ml:.3g} ml")
+    print(f"time               {time.perf_counter() - start:.1f} s for {steps} steps")
+    print(f"{'agrees' if within else 'DIFFERS'}: tolerance {options.tolerance:g} m")
+    return 0 if within else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
