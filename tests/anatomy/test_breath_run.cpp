@@ -126,3 +126,23 @@ TEST_CASE("A force on a region moves it, an unknown region is named", "[unit][an
                                               Catch::Matchers::Contains("'liver'") &&
                                               Catch::Matchers::Contains("abdominal_wall"));
 }
+
+TEST_CASE("A symmetric trunk moves symmetrically", "[property][anatomy]") {
+  const Scenario scenario = shipped("healthy");
+  const Trunk trunk = make_trunk(scenario);
+  const BreathRun run = run_breath(trunk, scenario, 0);
+  const auto& rest = trunk.model.rest;
+  const Vec3d mirror(-1.0, 1.0, 1.0);
+  double furthest = 0.0, largest_motion = 0.0;
+  for (std::size_t i = 0; i < rest.size(); ++i) {
+    std::size_t twin = 0;
+    while (norm(rest[twin] - hadamard(mirror, rest[i])) > 1e-12) ++twin;
+    const Vec3d motion = run.end_inspiration[i] - rest[i];
+    furthest = std::max(furthest, norm(hadamard(mirror, motion) - (run.end_inspiration[twin] - rest[twin])));
+    largest_motion = std::max(largest_motion, norm(motion));
+  }
+  WARN("mirror particles differ by up to " << 1e3 * furthest << " mm of " << 1e3 * largest_motion << " mm");
+  CHECK(largest_motion > 5e-3);
+  CHECK(furthest < 0.01 * largest_motion);
+  CHECK(run.flipped_triangles == 0);
+}

@@ -103,6 +103,18 @@ class Fit(TrunkTest):
             with self.subTest(" ".join(options)):
                 self.refuses(*options, says=says)
 
+    def test_timing_that_the_trace_would_overwrite_is_refused(self):
+        self.refuses("--set", "activation.rise_s=1", says="keep-timing")
+        kept = self.fit("--set", "activation.rise_s=1", "--keep-timing")
+        self.assertEqual((kept["activation"]["rise_s"], kept["activation"]["from_trace"]), (1, False))
+
+    def test_a_trace_upside_down_is_pointed_out_and_turned(self):
+        time, volume = breaths()
+        self.file("down.csv", csv(time, [-v for v in volume], "time_s,volume_ml", ","))
+        self.assertIn("--invert", self.trunk("breaths", "down.csv").err)
+        plain, turned = (self.succeeds("breaths", *options) for options in (["t.csv"], ["down.csv", "--invert"]))
+        self.assertAlmostEqual(turned["tidal_volume_ml"], plain["tidal_volume_ml"], places=6)
+
     def test_one_breath(self):
         times, volumes = breaths()
         self.file("t.csv", csv(times, [1.3 * v if 3.0 <= t < 4.5 else v for t, v in zip(times, volumes)]))

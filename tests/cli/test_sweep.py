@@ -134,7 +134,9 @@ class Results(SweepTest):
         done = self.succeeds("sweep", SCENARIOS / "sweep_softening.toml", "-o", "d")
         self.assertEqual((done["runs"], done["failed"]), (10, 0))
         soft = [float(r["delta_v_ml"]) for r in self.rows()]
-        self.assertEqual(soft[:5], sorted(soft[:5], reverse=True))  # the softer the paralysed half, the less air
+        for stiffer, softer in zip(soft[:4], soft[1:5]):  # the softer the paralysed half, the less air
+            self.assertLess(softer, 1.001 * stiffer)  # between 1 and 0.7 nothing happens
+        self.assertLess(soft[4], 0.8 * soft[0])
         self.assertTrue((SCENARIOS / "sweep_paralysis.toml").is_file())
 
     def test_an_impossible_run_does_not_stop_the_others(self):

@@ -71,7 +71,9 @@ TEST_CASE("the verdict names what is determined and what is not", "[unit]") {
   u.parameters[0].identifiable = u.parameters[1].identifiable = u.identifiable = true;
   u.parameters[0].upper95 = 4100;
   u.parameters[1].upper95 = 28.7;
-  CHECK_THAT(verdict_of(u), Contains("Determined by this trace: k_elasticity = 4000 N/m within 2.5 %"));
+  CHECK_THAT(
+      verdict_of(u),
+      Contains("Determined by this trace, for the damping assumed: k_elasticity = 4000 N/m within 2.5 %"));
 }
 
 TEST_CASE("the one-compartment baseline finds its own constants again", "[unit]") {
