@@ -101,10 +101,11 @@ Mask<S> bracket_is_point(const S& low, const S& high) noexcept {
 
 /// Solves for positions that enclose the target volume exactly (paper, eq. 2) and cross no support, together:
 /// x = predicted + lambda d, put back on the plane where that is outside, with V(x) = target. The direction d
-/// is dV/dP at the predicted positions, those that touched at the last step put back on their plane (our
-/// choice). V(x(lambda)) increases with lambda piece by piece, a cubic each; the search for the right piece
-/// starts from the last step's, takes the root of each piece, and halves the bracket where that leaves it.
-/// (predicted, state.contact) => corrected, state.contact
+/// is dV/dP over the effective mass, along free axes, at the predicted positions with those that touched at
+/// the last step put back on their plane from either side (our choice). V(x(lambda)) increases with lambda
+/// piece by piece, a cubic each; the search for the right piece starts from the last step's, takes the root
+/// of each piece, and halves the bracket where that leaves it. (predicted, state.contact) => corrected,
+/// state.contact
 template <Scalar S>
 Projection<S> project_volume_and_supports(const Model& model, const S& target, State<S>& state,
                                           Workspace<S>& w) noexcept {
