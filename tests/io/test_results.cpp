@@ -26,12 +26,6 @@ using namespace trunk;
 namespace fs = std::filesystem;
 using Catch::Matchers::Contains;
 
-/// For the address sanitizer: libhdf5 loses some memory of its own when it finds damage.
-extern "C" const char* __lsan_default_suppressions();
-extern "C" const char* __lsan_default_suppressions() {
-  return "leak:libhdf5";
-}
-
 namespace {
 
 /// A folder of its own for each test, removed at the end.
