@@ -52,7 +52,7 @@ TEST_CASE("a twin at half the step gives its parameters back to 1e-3 from ten st
   WARN("largest relative error of k_elasticity from ten starts: " << worst);
 }
 
-TEST_CASE("a tidal volume alone is met exactly, without uncertainty", "[regression]") {
+TEST_CASE("a tidal volume alone is met exactly, without uncertainty", "[regression][slow]") {
   const Scenario s = healthy_scenario();
   const Trunk trunk = make_trunk(s);
   const SearchSpace space({"k_muscle"}, {s.parameters, s.activation});
@@ -64,7 +64,7 @@ TEST_CASE("a tidal volume alone is met exactly, without uncertainty", "[regressi
   CHECK_THAT(e.uncertainty->verdict, Contains("no uncertainty"));
 }
 
-TEST_CASE("a slow breath with noise determines the ratio and says so", "[regression]") {
+TEST_CASE("a slow breath with noise determines the ratio and says so", "[regression][slow]") {
   Scenario s = healthy_scenario();
   s.parameters.damping = 2.0;  // hardly any lag: k_elasticity by itself leaves no trace
   const Trunk trunk = make_trunk(s);
