@@ -29,8 +29,7 @@ Trajectory trajectory_of(const Trunk& trunk, const BreathRun& run, double dt_s) 
   t.velocity_m_s = flat(run.frames, &BreathRun::Frame::velocity);
   t.mass_kg = trunk.model.mass;
   t.region.assign(t.particles, 0);
-  for (const auto& [name, particles] : trunk.regions) {
-    if (name == "spine") continue;  // overlaps others: a particle has one region in the file
+  for (const auto& [name, particles] : trunk.mesh.regions) {
     for (int i : particles)
       t.region[static_cast<std::size_t>(i)] = static_cast<std::int32_t>(t.region_names.size());
     t.region_names.push_back(name);

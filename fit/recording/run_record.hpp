@@ -2,11 +2,10 @@
 
 #include "estimation/estimate.hpp"
 #include "io/scenario_file.hpp"
+#include "math/units.hpp"
 #include "results/records.hpp"
 
 namespace trunk {
-
-inline constexpr double Pa_per_cmH2O = 98.0665;
 
 /// The Table 1 row and what goes with it, in ml, mm and cmH2O, named as in `simulate --json`.
 std::vector<NamedValue> measures_of(const BreathRun& run);

@@ -7,56 +7,44 @@
 namespace trunk {
 namespace {
 
-template <class Select>
-double mean_height(const Level& level, std::span<const Vec3d> position, Select select) {
+double mean_height(const std::vector<int>& particles, std::span<const Vec3d> position) {
   double sum = 0.0;
-  int count = 0;
-  for (std::size_t k = 0; k < level.particles.size(); ++k)
-    if (select(k)) {
-      sum += position[static_cast<std::size_t>(level.particles[k])].z();
-      ++count;
-    }
-  return sum / count;
+  for (int i : particles) sum += position[static_cast<std::size_t>(i)].z();
+  return sum / static_cast<double>(particles.size());
 }
 
-double mean_line_length(const TemplateMesh& mesh, std::span<const Vec3d> position) {
-  const Level* line[] = {&mesh.costal_insertion, &mesh.apposition_middle, &mesh.apposition_top};
-  const std::size_t lines = line[0]->particles.size();
+/// From the costal insertion to the top of the zone of apposition.
+double mean_line_length(const TrunkMesh& mesh, std::span<const Vec3d> position) {
+  const std::size_t top = mesh.apposition_top_row();
+  const auto at = [&](int i) { return position[static_cast<std::size_t>(i)]; };
   double sum = 0.0;
-  for (std::size_t k = 0; k < lines; ++k)
-    for (std::size_t part = 0; part + 1 < std::size(line); ++part) {
-      const auto below = static_cast<std::size_t>(line[part]->particles[k]);
-      const auto above = static_cast<std::size_t>(line[part + 1]->particles[k]);
-      sum += norm(position[above] - position[below]);
-    }
-  return sum / static_cast<double>(lines);
+  for (const auto& line : mesh.muscle_lines)
+    for (std::size_t row = 0; row < top; ++row) sum += norm(at(line[row + 1]) - at(line[row]));
+  return sum / static_cast<double>(mesh.muscle_lines.size());
 }
 
-double half_width(const Level& level, std::span<const Vec3d> position) {
-  double left = 0.0, right = 0.0;
-  for (int i : level.particles) {
-    left = std::min(left, position[static_cast<std::size_t>(i)].x());
-    right = std::max(right, position[static_cast<std::size_t>(i)].x());
-  }
-  return 0.5 * (right - left);
+double half_width(const std::vector<int>& particles, std::span<const Vec3d> position) {
+  const auto by_x = [&](int a, int b) {
+    return position[static_cast<std::size_t>(a)].x() < position[static_cast<std::size_t>(b)].x();
+  };
+  const auto [left, right] = std::minmax_element(particles.begin(), particles.end(), by_x);
+  return 0.5 *
+         (position[static_cast<std::size_t>(*right)].x() - position[static_cast<std::size_t>(*left)].x());
 }
 
 }  // namespace
 
 Shape shape_of(const Trunk& trunk, std::span<const Vec3d> position) {
-  const TemplateMesh& mesh = trunk.mesh;
-  const auto on_right = [&](std::size_t k) {
-    return trunk.model.rest[static_cast<std::size_t>(mesh.dome_top.particles[k])].x() > 0.0;
-  };
+  const TrunkMesh& mesh = trunk.mesh;
   Shape shape;
   shape.lung_volume = enclosed_volume<double>(mesh.lung, position);
   shape.apposition_length = mean_line_length(mesh, position);
-  shape.right_dome = mean_height(mesh.dome_top, position, on_right);
-  shape.left_dome = mean_height(mesh.dome_top, position, [&](std::size_t k) { return !on_right(k); });
-  const double top = mean_height(mesh.apposition_top, position, [](std::size_t) { return true; });
-  shape.dome_height = 0.5 * (shape.right_dome + shape.left_dome) - top;
-  shape.half_width =
-      0.5 * (half_width(mesh.apposition_middle, position) + half_width(mesh.apposition_top, position));
+  shape.right_dome = mean_height(mesh.named("dome_top_right"), position);
+  shape.left_dome = mean_height(mesh.named("dome_top_left"), position);
+  shape.dome_height =
+      0.5 * (shape.right_dome + shape.left_dome) - mean_height(mesh.named("apposition_top"), position);
+  shape.half_width = 0.5 * (half_width(mesh.named("apposition_middle"), position) +
+                            half_width(mesh.named("apposition_top"), position));
   return shape;
 }
 

@@ -2,39 +2,12 @@
 
 #include <fmt/format.h>
 
+#include "anatomy/template_mesh.hpp"
 #include "dynamics/stability.hpp"
 #include "errors/input_error.hpp"
 
 namespace trunk {
 namespace {
-
-Vec3d imposed_axes(const Vec3d& direction) {
-  return {direction.x() != 0.0 ? 1.0 : 0.0, direction.y() != 0.0 ? 1.0 : 0.0,
-          direction.z() != 0.0 ? 1.0 : 0.0};
-}
-
-std::string names_of(const std::map<std::string, std::vector<int>>& regions) {
-  std::string names;
-  for (const auto& [name, particles] : regions) names += (names.empty() ? "" : ", ") + name;
-  return names;
-}
-
-void apply(const RegionLoad& load, Trunk& trunk) {
-  const auto region = trunk.regions.find(load.region);
-  if (region == trunk.regions.end())
-    throw InputError(fmt::format("{}: there is no region '{}', expected one of {}", load.origin, load.region,
-                                 names_of(trunk.regions)));
-  const Vec3d axes = imposed_axes(load.direction);
-  for (int i : region->second) {
-    if (load.kind == RegionLoad::Kind::force) {
-      trunk.model.focal_forces.push_back({i, load.direction, load.magnitude});
-    } else {
-      trunk.model.imposed_displacements.push_back({i, axes, load.direction, load.magnitude});
-      Vec3d& mobility = trunk.model.mobility[static_cast<std::size_t>(i)];
-      mobility = hadamard(mobility, Vec3d(1.0, 1.0, 1.0) - axes);
-    }
-  }
-}
 
 /// A particle that is held or driven cannot be pushed back by the rib cage: its support is left out.
 void drop_supports_of_held_particles(Model& model) {
@@ -46,8 +19,12 @@ void drop_supports_of_held_particles(Model& model) {
 
 }  // namespace
 
+TrunkMesh mesh_of(const Scenario& s) {
+  return s.mesh ? *s.mesh : make_template_mesh(s.geometry);
+}
+
 Trunk make_trunk(const Scenario& s) {
-  Trunk trunk = make_trunk(s.geometry, s.tissue, s.reaction);
+  Trunk trunk = make_trunk(mesh_of(s), s.tissue, s.reaction, s.rigid);
   trunk.model.gravity = s.gravity;
   trunk.model.abdomen.target = s.abdominal_volume;
   for (const RegionLoad& load : s.loads) apply(load, trunk);

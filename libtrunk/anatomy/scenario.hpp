@@ -1,29 +1,23 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "activation/breath_activation.hpp"
+#include "anatomy/region_loads.hpp"
 #include "anatomy/trunk.hpp"
 #include "dynamics/simulate.hpp"
 #include "model/parameters.hpp"
 
 namespace trunk {
 
-/// A force or an imposed displacement on every particle of a region, direction * magnitude(t).
-struct RegionLoad {
-  enum class Kind { force, displacement };
-  Kind kind = Kind::force;
-  std::string region;
-  Vec3d direction;            // as given; a displacement is imposed on the axes where it is not 0
-  PiecewiseLinear magnitude;  // N a particle, or m
-  std::string origin;         // file:line, for messages
-};
-
 /// One breath to simulate: everything a scenario file says, in SI units.
 struct Scenario {
   std::string title = "trunk";
   TrunkGeometry geometry;
+  std::shared_ptr<const TrunkMesh> mesh;  // a trunk that was read; empty: the template of `geometry`
+  std::string mesh_file;                  // where it was read from
   Tissue tissue;
   Reaction reaction = Reaction::variational;
   Parameters<double> parameters{4000.0, 30.0, 20.0, 1.0};
@@ -32,8 +26,12 @@ struct Scenario {
   double frame_every_s = 0.01;  // between stored trajectory frames
   Vec3d gravity;                // m/s2; 0: the rest shape was imaged under gravity, which is thus in it
   std::vector<RegionLoad> loads;
+  std::vector<RigidPart> rigid;
   PiecewiseLinear abdominal_volume;  // fraction of rest; empty: constant
 };
+
+/// The trunk's particles before anything is done to them. Throws InputError.
+TrunkMesh mesh_of(const Scenario& scenario);
 
 /// Builds the trunk with the scenario's loads. Throws InputError.
 Trunk make_trunk(const Scenario& scenario);

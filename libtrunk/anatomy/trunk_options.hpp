@@ -1,5 +1,9 @@
 #pragma once
 
+#include <string>
+
+#include "model/model.hpp"
+
 namespace trunk {
 
 /// Sizes of the parametric trunk, m and m3. The defaults are derived from the paper's Table 1 where it tells
@@ -13,6 +17,7 @@ struct TrunkGeometry {
   double dome_height_right = 0.070;  // top of the zone of apposition to the right dome
   double dome_height_left = 0.070;
   double end_expiratory_volume = 4760e-6;
+  int resolution = 1;  // particles along a length, times those of the 113-particle mesh
 };
 
 enum class Side { none, right, left, both };
@@ -30,9 +35,23 @@ struct Tissue {
   double particle_mass = 0.2;  // kg; our choice
   double tendon_factor = 2.0;  // stiffness of the central tendon over the other diaphragm (paper)
   FibreEnd fibre_end = FibreEnd::tendon_border;
-  bool ribs = true;  // costal insertion held, zone of apposition not crossing the rib cage
+  bool ribs = true;           // costal insertion carried, zone of apposition kept inside, by a rigid rib cage
+  double rib_friction = 0.0;  // Coulomb's coefficient between the ribs and the zone of apposition
+  double membrane_stiffness =
+      0.0;  // N/m of a spring along every edge of the abdomen and diaphragm (our option)
   Side paralysed = Side::none;
   double paralysed_stiffness = 0.5;  // elasticity left in a paralysed hemidiaphragm, times the healthy one
+};
+
+/// A part of the trunk as a rigid component, named by region or landmark. With ribs, what no part claims of
+/// the costal insertion and the lung wall is one fixed body, the rib cage, whose surface faces the zone of
+/// apposition.
+struct RigidPart {
+  std::string region;  // what it carries
+  RigidBody::Motion motion = RigidBody::Motion::fixed;
+  ImposedMotion imposed;
+  std::string surface_for;  // region of the particles that slide along its surface; empty: none
+  std::string origin;       // file:line, for messages
 };
 
 }  // namespace trunk

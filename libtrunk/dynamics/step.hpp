@@ -1,10 +1,13 @@
 #pragma once
 
 #include "constraints/displacement.hpp"
+#include "constraints/rigid_bodies.hpp"
 #include "constraints/volume_and_contact.hpp"
 #include "forces/field.hpp"
 #include "forces/focal.hpp"
+#include "forces/membrane.hpp"
 #include "forces/muscle.hpp"
+#include "forces/pressure.hpp"
 #include "forces/shape_memory.hpp"
 #include "model/state.hpp"
 #include "model/workspace.hpp"
@@ -25,7 +28,9 @@ void calc_forces(const Model& model, const Parameters<S>& parameters, const S& a
   set_gravity<S>(model, w.force);
   add_shape_memory<S>(model.shape_memory, w.ring_stiffness, state.position, w.force);
   add_muscle<S>(model.fibres, activation * parameters.muscle, state.position, w.force);
+  add_membrane<S>(model.membrane, state.position, w.force);
   add_focal<S>(model.focal_forces, state.time_s, w.force);
+  add_pressure<S>(model.pressures, state.time_s, state.position, w.force);
 }
 
 /// Semi-implicit Euler with implicit damping (our choice): v' = (m v + dt F) / (m + dt c), x' = x + dt v'.
@@ -40,15 +45,17 @@ void predict(const Model& model, const State<S>& state, Workspace<S>& w) noexcep
   }
 }
 
-/// Velocities are what the constraints let through. (corrected) => state
+/// Velocities are what the constraints let through. (corrected, body) => state
 template <Scalar S>
-void accept(double dt_s, const Workspace<S>& w, State<S>& state) noexcept {
-  const S rate(1.0 / dt_s);
+void accept(const Model& model, const S& multiplier, const Workspace<S>& w, State<S>& state) noexcept {
+  const S rate(1.0 / w.dt_s);
   for (std::size_t i = 0; i < state.position.size(); ++i) {
     state.velocity[i] = rate * (w.corrected[i] - state.position[i]);
     state.position[i] = w.corrected[i];
   }
-  state.time_s += dt_s;
+  accept_bodies(model, multiplier, w, state);
+  state.multiplier = multiplier;
+  state.time_s += w.dt_s;
 }
 
 /// Advances the state by one step of w.dt_s: forces, integration, constraints. Allocates nothing.
@@ -58,11 +65,13 @@ StepReport<S> step(const Model& model, const Parameters<S>& parameters, const S&
   calc_forces(model, parameters, activation, state, w);
   predict(model, state, w);
   const double end_s = state.time_s + w.dt_s;
+  predict_bodies(model, state, end_s, w);
   impose_displacements<S>(model, end_s, w.predicted);
+  calc_planes(model, state, w);
   const double fraction = model.abdomen.target.empty() ? 1.0 : model.abdomen.target(end_s);
   const Projection<S> projection =
       project_volume_and_supports(model, S(fraction * model.abdomen.rest), state, w);
-  accept(w.dt_s, w, state);
+  accept(model, projection.multiplier, w, state);
   return {S(1.0 / (w.dt_s * w.dt_s)) * projection.multiplier, projection.found};
 }
 

@@ -9,6 +9,7 @@
 #include "io/scenario_loads.hpp"
 #include "io/text_file.hpp"
 #include "io/toml_values.hpp"
+#include "io/trunk_pml.hpp"
 
 namespace trunk {
 namespace {
@@ -35,6 +36,11 @@ struct Assign {
     if (!(value >= n.low && value <= n.high)) wrong();
     n.field(scenario) = value * n.to_si;
   }
+  void operator()(const ScenarioKey::Integer& i) const {
+    const auto value = node.value_exact<std::int64_t>();
+    if (!value || *value < i.low || *value > i.high) wrong();
+    i.field(scenario) = static_cast<int>(*value);
+  }
   void operator()(const ScenarioKey::Choice& c) const {
     const auto name = node.value_exact<std::string>();
     const auto at = name ? std::find(c.names.begin(), c.names.end(), *name) : c.names.end();
@@ -50,6 +56,11 @@ struct Assign {
     const auto value = node.value_exact<std::string>();
     if (!value) wrong();
     t.field(scenario) = *value;
+  }
+  void operator()(const ScenarioKey::File& f) const {
+    const auto value = node.value_exact<std::string>();
+    if (!value) wrong();
+    f.field(scenario) = value->empty() ? "" : place.beside(*value).string();
   }
 };
 
@@ -91,7 +102,8 @@ class Reader {
     const ScenarioKey* key = find_key(path);
     if (!key) unknown_key(path, place);
     const bool plain = std::holds_alternative<ScenarioKey::Choice>(key->kind) ||
-                       std::holds_alternative<ScenarioKey::Text>(key->kind);
+                       std::holds_alternative<ScenarioKey::Text>(key->kind) ||
+                       std::holds_alternative<ScenarioKey::File>(key->kind);
     toml::table table;
     if (plain)
       table.insert("value", text);
@@ -133,6 +145,20 @@ class Reader {
   ScenarioFile& file_;
 };
 
+/// Reads the trunk that the scenario names, unless it is there already.
+void read_mesh(ScenarioFile& file) {
+  Scenario& s = file.scenario;
+  if (s.mesh_file.empty()) s.mesh.reset();
+  if (s.mesh_file.empty() || (s.mesh && file.mesh_read == s.mesh_file)) return;
+  try {
+    s.mesh = std::make_shared<const TrunkMesh>(read_trunk_pml(s.mesh_file));
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: {}", file.where("geometry.pml"), error.what()));
+  }
+  file.mesh_read = s.mesh_file;
+  file.inputs.push_back(s.mesh_file);
+}
+
 }  // namespace
 
 std::string ScenarioFile::where(const std::string& key) const {
@@ -157,10 +183,13 @@ Setting setting_of(const std::string& text) {
 
 void apply_settings(const std::vector<Setting>& settings, ScenarioFile& file) {
   for (const Setting& setting : settings) Reader(file).set(setting);
+  read_mesh(file);
 }
 
-void apply_settings(const std::vector<std::string>& settings, ScenarioFile& file) {
-  for (const std::string& text : settings) Reader(file).set(setting_of(text));
+void apply_settings(const std::vector<std::string>& texts, ScenarioFile& file) {
+  std::vector<Setting> settings;
+  for (const std::string& text : texts) settings.push_back(setting_of(text));
+  apply_settings(settings, file);
 }
 
 Trunk build_trunk(const ScenarioFile& file) {

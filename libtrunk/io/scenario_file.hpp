@@ -15,6 +15,7 @@ struct ScenarioFile {
   std::string path;
   std::string text;                           // the file as read
   std::vector<std::filesystem::path> inputs;  // the file and those it extends, for provenance
+  std::string mesh_read;                      // the file that scenario.mesh came from
   std::map<std::string, std::string> origin;  // key path -> file:line of the value in force
 
   /// "file:line" where the key was set, else the file.

@@ -46,6 +46,12 @@ std::vector<Key> make_keys() {
           "geometry.end_expiratory_volume_ml", "ml", ml, 200, 20000,
           [](Scenario& s) -> double& { return s.geometry.end_expiratory_volume; },
           "lung volume at rest; sets the height of the lung"),
+      {"geometry.resolution",
+       "particles along a length, times those of the 113-particle mesh; needs a shorter time step",
+       Key::Integer{1, 16, [](Scenario& s) -> int& { return s.geometry.resolution; }}},
+      {"geometry.pml",
+       "a trunk to take instead of the parametric one, whose other geometry keys then do nothing; \"\": none",
+       Key::File{[](Scenario& s) -> std::string& { return s.mesh_file; }}},
 
       number(
           "parameters.k_elasticity_N_per_m", "N_per_m", one, 1e-3, 1e7,
@@ -80,6 +86,13 @@ std::vector<Key> make_keys() {
                    [](const Scenario& s) { return static_cast<int>(s.tissue.fibre_end); }}},
       {"tissue.ribs", "rib cage: costal insertion held, zone of apposition kept inside",
        Key::Switch{[](Scenario& s) -> bool& { return s.tissue.ribs; }}},
+      number(
+          "tissue.rib_friction", "", one, 0, 10, [](Scenario& s) -> double& { return s.tissue.rib_friction; },
+          "Coulomb's coefficient between rib cage and zone of apposition"),
+      number(
+          "tissue.membrane_stiffness_N_per_m", "N_per_m", one, 0, 1e6,
+          [](Scenario& s) -> double& { return s.tissue.membrane_stiffness; },
+          "resistance to stretch along the edges of abdomen and diaphragm; 0: none, as in the paper"),
 
       {"paralysis.side", "hemidiaphragm whose fibres are off",
        Key::Choice{{"none", "right", "left", "both"},
@@ -161,6 +174,9 @@ std::string expectation(const ScenarioKey& key) {
     return fmt::format("a number{}{}, {:g} to {:g}", n->unit.empty() ? "" : " of ", n->unit, n->low, n->high);
   if (const auto* c = std::get_if<Key::Choice>(&key.kind))
     return fmt::format("one of \"{}\"", fmt::join(c->names, "\", \""));
+  if (const auto* i = std::get_if<Key::Integer>(&key.kind))
+    return fmt::format("a whole number, {} to {}", i->low, i->high);
+  if (std::holds_alternative<Key::File>(key.kind)) return "the name of a file, in quotes";
   return std::holds_alternative<Key::Switch>(key.kind) ? "true or false" : "a text in quotes";
 }
 
@@ -189,14 +205,9 @@ std::string nearest_key(std::string_view unknown) {
   return std::string(nearest);
 }
 
-std::string toml_value(const ScenarioKey& key, const Scenario& scenario) {
-  Scenario& s = const_cast<Scenario&>(scenario);  // the accessors serve reading and writing
-  if (const auto* n = std::get_if<Key::Number>(&key.kind)) return fmt::format("{}", n->field(s) / n->to_si);
-  if (const auto* c = std::get_if<Key::Choice>(&key.kind))
-    return fmt::format("\"{}\"", c->names[static_cast<std::size_t>(c->get(scenario))]);
-  if (const auto* b = std::get_if<Key::Switch>(&key.kind)) return b->field(s) ? "true" : "false";
+std::string toml_text(std::string_view text) {
   std::string quoted = "\"";
-  for (char ch : std::get<Key::Text>(key.kind).field(s)) {
+  for (char ch : text) {
     const auto code = static_cast<unsigned char>(ch);
     if (code < 0x20 || code == 0x7F) {
       quoted += fmt::format("\\u{:04X}", code);
@@ -206,6 +217,17 @@ std::string toml_value(const ScenarioKey& key, const Scenario& scenario) {
     quoted += ch;
   }
   return quoted + "\"";
+}
+
+std::string toml_value(const ScenarioKey& key, const Scenario& scenario) {
+  Scenario& s = const_cast<Scenario&>(scenario);  // the accessors serve reading and writing
+  if (const auto* n = std::get_if<Key::Number>(&key.kind)) return fmt::format("{}", n->field(s) / n->to_si);
+  if (const auto* i = std::get_if<Key::Integer>(&key.kind)) return fmt::format("{}", i->field(s));
+  if (const auto* c = std::get_if<Key::Choice>(&key.kind))
+    return fmt::format("\"{}\"", c->names[static_cast<std::size_t>(c->get(scenario))]);
+  if (const auto* b = std::get_if<Key::Switch>(&key.kind)) return b->field(s) ? "true" : "false";
+  if (const auto* f = std::get_if<Key::File>(&key.kind)) return toml_text(f->field(s));
+  return toml_text(std::get<Key::Text>(key.kind).field(s));
 }
 
 }  // namespace trunk

@@ -19,6 +19,10 @@ struct ScenarioKey {
     double low, high;       // allowed, in the file's unit
     double& (*field)(Scenario&);
   };
+  struct Integer {
+    int low, high;
+    int& (*field)(Scenario&);
+  };
   struct Choice {
     std::vector<std::string_view> names;
     void (*set)(Scenario&, int);
@@ -30,10 +34,13 @@ struct ScenarioKey {
   struct Text {
     std::string& (*field)(Scenario&);
   };
+  struct File {  // relative to the file that names it, or to the working folder; kept absolute
+    std::string& (*field)(Scenario&);
+  };
 
   std::string_view path;  // table.key
   std::string_view meaning;
-  std::variant<Number, Choice, Switch, Text> kind;
+  std::variant<Number, Integer, Choice, Switch, Text, File> kind;
 };
 
 std::span<const ScenarioKey> scenario_keys();
@@ -47,6 +54,9 @@ std::string unit_of_key(std::string_view path);
 /// The known path nearest to an unknown one: the same name with another unit, else the fewest edits; empty
 /// where nothing is near.
 std::string nearest_key(std::string_view unknown);
+
+/// A text in quotes as TOML takes it.
+std::string toml_text(std::string_view text);
 
 /// A value in the file's unit, or the name of a choice, as TOML text.
 std::string toml_value(const ScenarioKey& key, const Scenario& scenario);

@@ -2,46 +2,61 @@
 
 #include <fmt/format.h>
 
+#include "io/scenario_rigid.hpp"
+#include "math/units.hpp"
+
 namespace trunk {
 namespace {
 
 constexpr std::string_view schema = "trunk.scenario/1";
 
-RegionLoad load_of(const toml::table& table, const std::string& kind, const TomlPlace& place) {
-  const bool is_force = kind == "force";
-  const std::string events_key = is_force ? "events_N" : "events_mm";
+Vec3d without_magnitude(const Vec3d& d) {
+  const auto mark = [](double a) { return a != 0.0 ? 1.0 : 0.0; };
+  return {mark(d.x()), mark(d.y()), mark(d.z())};
+}
+
+RegionLoad load_of(const toml::table& table, const LoadKey& keys, const TomlPlace& place) {
+  const bool directed = keys.kind != RegionLoad::Kind::pressure;
+  const std::string kind(keys.table);
   RegionLoad load;
-  load.kind = is_force ? RegionLoad::Kind::force : RegionLoad::Kind::displacement;
+  load.kind = keys.kind;
   load.origin = place.name();
+  bool has_axes = false;
   for (const auto& [key_text, value] : table) {
     const std::string key(key_text.str());
     const TomlPlace at{place.file, key_text.source().begin.line};
     if (key == "region" && value.is_string()) {
       load.region = *value.value_exact<std::string>();
-    } else if (key == "direction") {
+    } else if (key == "direction" && directed) {
       load.direction = direction_of(value, kind + ".direction", at);
-      if (dot(load.direction, load.direction) == 0.0)
-        at.fail(kind + ".direction is zero, expected a direction");
-    } else if (key == events_key) {
-      load.magnitude = events_of(value, kind + "." + key, is_force ? 1.0 : 1e-3, 0.0, at);
+    } else if (key == "axes" && keys.kind == RegionLoad::Kind::displacement) {
+      load.axes = without_magnitude(direction_of(value, kind + ".axes", at));
+      has_axes = true;
+    } else if (key == keys.events) {
+      load.magnitude = events_of(value, kind + "." + key, keys.to_si, 0.0, at);
     } else {
-      at.fail(fmt::format("unknown or wrong key '{}' in [[{}]], expected region (a text), direction and {}",
-                          key, kind, events_key));
+      at.fail(fmt::format("unknown or wrong key '{}' in [[{}]], expected region (a text),{} and {}", key,
+                          kind, directed ? " direction" : "", keys.events));
     }
   }
-  if (load.region.empty() || load.magnitude.empty() || dot(load.direction, load.direction) == 0.0)
-    place.fail(fmt::format("[[{}]] is incomplete, expected region, direction and {}", kind, events_key));
+  if (!has_axes) load.axes = without_magnitude(load.direction);
+  const bool idle =
+      directed && dot(load.direction, load.direction) == 0.0 && dot(load.axes, load.axes) == 0.0;
+  if (load.region.empty() || load.magnitude.empty() || idle)
+    place.fail(fmt::format("[[{}]] is incomplete, expected region,{} and {}", kind,
+                           directed ? " a direction that is not zero" : "", keys.events));
   return load;
 }
 
-void read_loads(const std::string& kind, const toml::node& node, const TomlPlace& place, Scenario& scenario) {
-  const toml::array* list = node.as_array();
-  if (!list || !list->is_array_of_tables()) place.fail(fmt::format("expected [[{}]] tables", kind));
-  for (const toml::node& item : *list)
-    scenario.loads.push_back(load_of(*item.as_table(), kind, {place.file, item.source().begin.line}));
-}
-
 }  // namespace
+
+std::span<const LoadKey> load_keys() {
+  static constexpr LoadKey keys[] = {{RegionLoad::Kind::force, "force", "events_N", 1.0},
+                                     {RegionLoad::Kind::displacement, "displacement", "events_mm", 1e-3},
+                                     {RegionLoad::Kind::acceleration, "acceleration", "events_m_s2", 1.0},
+                                     {RegionLoad::Kind::pressure, "pressure", "events_cmH2O", Pa_per_cmH2O}};
+  return keys;
+}
 
 bool read_special(const std::string& path, const toml::node& node, const TomlPlace& place,
                   Scenario& scenario) {
@@ -62,10 +77,19 @@ bool read_special(const std::string& path, const toml::node& node, const TomlPla
         place.fail(fmt::format("{} is {}, expected 0.1 to 10 times the rest volume", path, event.value));
     return true;
   }
-  if (path == "force" || path == "displacement") {
-    read_loads(path, node, place, scenario);
+  if (path == "rigid") {
+    for_each_table(path, node, place, [&](const toml::table& table, const TomlPlace& at) {
+      scenario.rigid.push_back(rigid_part_of(table, at));
+    });
     return true;
   }
+  for (const LoadKey& keys : load_keys())
+    if (path == keys.table) {
+      for_each_table(path, node, place, [&](const toml::table& table, const TomlPlace& at) {
+        scenario.loads.push_back(load_of(table, keys, at));
+      });
+      return true;
+    }
   return false;
 }
 

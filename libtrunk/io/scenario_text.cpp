@@ -1,19 +1,23 @@
 #include <fmt/format.h>
+
+#include <algorithm>
+
 #include "io/scenario_file.hpp"
 #include "io/scenario_keys.hpp"
+#include "io/scenario_loads.hpp"
+#include "io/scenario_rigid.hpp"
 
 namespace trunk {
 namespace {
 
-std::string events_text(const PiecewiseLinear& curve, double to_si) {
-  std::string text;
-  for (const auto& event : curve.events())
-    text += fmt::format("{}[{}, {}]", text.empty() ? "" : ", ", event.time_s, event.value / to_si);
-  return "[" + text + "]";
-}
-
-std::string direction_text(const Vec3d& d) {
-  return fmt::format("[{}, {}, {}]", d.x(), d.y(), d.z());
+std::string to_toml(const RegionLoad& load) {
+  const auto keys = load_keys();
+  const auto& key =
+      *std::find_if(keys.begin(), keys.end(), [&](const LoadKey& k) { return k.kind == load.kind; });
+  std::string text = fmt::format("\n[[{}]]\nregion = {}\n", key.table, toml_text(load.region));
+  if (load.kind != RegionLoad::Kind::pressure) text += "direction = " + toml_direction(load.direction) + "\n";
+  if (load.kind == RegionLoad::Kind::displacement) text += "axes = " + toml_direction(load.axes) + "\n";
+  return text + fmt::format("{} = {}\n", key.events, toml_events(load.magnitude, key.to_si));
 }
 
 }  // namespace
@@ -32,16 +36,11 @@ std::string to_toml(const Scenario& s) {
     open_table = table;
     tables += fmt::format("{} = {}\n", key.path.substr(dot + 1), toml_value(key, s));
   }
-  if (dot(s.gravity, s.gravity) > 0.0) text += "gravity_m_s2 = " + direction_text(s.gravity) + "\n";
+  if (dot(s.gravity, s.gravity) > 0.0) text += "gravity_m_s2 = " + toml_direction(s.gravity) + "\n";
   if (!s.abdominal_volume.empty())
-    text += "abdominal_volume_fraction = " + events_text(s.abdominal_volume, 1.0) + "\n";
-  for (const RegionLoad& load : s.loads) {
-    const bool is_force = load.kind == RegionLoad::Kind::force;
-    tables +=
-        fmt::format("\n[[{}]]\nregion = \"{}\"\ndirection = {}\n{} = {}\n",
-                    is_force ? "force" : "displacement", load.region, direction_text(load.direction),
-                    is_force ? "events_N" : "events_mm", events_text(load.magnitude, is_force ? 1.0 : 1e-3));
-  }
+    text += "abdominal_volume_fraction = " + toml_events(s.abdominal_volume, 1.0) + "\n";
+  for (const RegionLoad& load : s.loads) tables += to_toml(load);
+  for (const RigidPart& part : s.rigid) tables += to_toml(part);
   return text + tables;
 }
 

@@ -17,6 +17,11 @@ std::string TomlPlace::name() const {
   return line > 0 ? fmt::format("{}:{}", file, line) : file;
 }
 
+std::filesystem::path TomlPlace::beside(const std::string& name) const {
+  const auto folder = line > 0 ? std::filesystem::path(file).parent_path() : std::filesystem::path();
+  return std::filesystem::absolute(folder / name).lexically_normal();
+}
+
 std::string shown(const toml::node& node) {
   std::ostringstream out;
   if (const auto* number = node.as_floating_point()) return fmt::format("{}", number->get());

@@ -2,6 +2,7 @@
 
 #include <toml++/toml.h>
 
+#include <filesystem>
 #include <string>
 
 #include "math/piecewise_linear.hpp"
@@ -15,6 +16,8 @@ struct TomlPlace {
   std::size_t line;
   [[noreturn]] void fail(const std::string& text) const;  // throws InputError
   std::string name() const;                               // "file:line"
+  /// A file name as the place means it: beside the file, or where the program runs when it is not in one.
+  std::filesystem::path beside(const std::string& name) const;
 };
 
 /// A value as a message quotes it: one line, cut after 60 characters.

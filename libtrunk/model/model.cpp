@@ -54,11 +54,26 @@ void require_references(const Model& m) {
   for (const Fibre& f : m.fibres) {
     require(exists(f.insertion) && exists(f.origin) && f.insertion != f.origin,
             fmt::format("fibre {}-{}: expected two different particles that exist", f.insertion, f.origin));
-    require(f.activity >= 0 && f.activity <= 1,
-            fmt::format("fibre {}-{}: found an activity of {}, expected 0 to 1", f.insertion, f.origin,
+    require(std::isfinite(f.activity) && f.activity >= 0,
+            fmt::format("fibre {}-{}: found an activity of {}, expected 0 or more", f.insertion, f.origin,
                         f.activity));
   }
-  for (const Support& s : m.supports) require(exists(s.particle), "a rib support has no particle");
+  for (const Support& s : m.supports)
+    require(
+        exists(s.particle) && s.body >= 0 && static_cast<std::size_t>(s.body) < m.bodies.size() &&
+            m.bodies[static_cast<std::size_t>(s.body)].motion != RigidBody::Motion::free,
+        fmt::format("particle {} is supported by a body that does not exist or is free; expected a fixed or "
+                    "driven one",
+                    s.particle));
+  for (const MembraneEdge& e : m.membrane)
+    require(exists(e.a) && exists(e.b) && e.rest_length > 0 && e.stiffness >= 0,
+            fmt::format("membrane edge {}-{}: expected two particles apart and a stiffness of 0 or more", e.a,
+                        e.b));
+  for (const PressureLoad& p : m.pressures)
+    for (const Triangle& t : p.triangles)
+      require(exists(t[0]) && exists(t[1]) && exists(t[2]), "a pressure acts on particles that do not exist");
+  require(std::isfinite(m.friction) && m.friction >= 0,
+          fmt::format("found a friction coefficient of {}, expected 0 or more", m.friction));
   for (const FocalForce& f : m.focal_forces)
     require(exists(f.particle), fmt::format("a force acts on particle {}, which does not exist", f.particle));
   for (const ImposedDisplacement& d : m.imposed_displacements)

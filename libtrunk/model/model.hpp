@@ -32,13 +32,39 @@ struct Fibre {
   double activity;  // 1 healthy, 0 paralysed
 };
 
-/// A plane of the rib cage that one particle may touch but not cross: normal . x <= offset. `push` moves the
-/// particle back along the axes it is free to move on; normal . push = 1.
+/// How a rigid component moves when it is driven: turned by angle(t) around an axis, then shifted.
+struct ImposedMotion {
+  Vec3d point, axis;      // m, unit vector: the axis passes through the point
+  PiecewiseLinear angle;  // rad, counter-clockwise seen from the tip of the axis; empty: 0
+  Vec3d direction;        // of the shift
+  PiecewiseLinear shift;  // m; empty: 0
+};
+
+/// A rigid component (paper, "Model"), a body of six degrees of freedom: the particles it carries keep their
+/// places in it. Made by `carry`.
+struct RigidBody {
+  enum class Motion { fixed, driven, free };
+  std::string name;
+  Motion motion = Motion::fixed;
+  std::vector<int> particles;  // carried
+  ImposedMotion imposed;       // driven only
+
+  // derived from the carried particles; of free bodies only
+  Vec3d centre;                 // m, centre of mass at rest; of driven ones the point of the axis
+  double mass = 0.0;            // kg
+  double damping_weight = 0.0;  // times the damping coefficient
+  Vec3d inverse_inertia[3];     // 1/(kg m2), rows, at rest, about the centre
+  std::vector<int> held_rows;   // rings of the held volume whose vertex it carries
+};
+
+/// The surface of a rigid body opposite one particle, to second order about a point of it: with y the place
+/// of the particle in the body's rest frame relative to that point, normal . y + 1/2 y . (curvature y) <= 0
+/// is inside.
 struct Support {
   int particle;
-  int ring;  // of the held surface, the row of `particle`
-  Vec3d normal, push;
-  double offset;
+  int body;  // of Model::bodies, fixed or driven
+  Vec3d point, normal;
+  Vec3d curvature[3];  // 1/m, rows, symmetric, tangential; positive where the body is hollow
 };
 
 /// Force direction * magnitude(t), N, on one particle.
@@ -56,6 +82,19 @@ struct ImposedDisplacement {
   PiecewiseLinear magnitude;
 };
 
+/// A pressure on triangles, Pa, from the side they face; it follows them as they move.
+struct PressureLoad {
+  std::vector<Triangle> triangles;
+  PiecewiseLinear magnitude;
+};
+
+/// A spring between two neighbours of a surface, at rest at its rest length.
+struct MembraneEdge {
+  int a, b;
+  double rest_length;  // m
+  double stiffness;    // N/m
+};
+
 /// A closed surface whose enclosed volume follows rest * target(t) exactly.
 struct HeldVolume {
   std::vector<Triangle> triangles;
@@ -69,18 +108,28 @@ struct Model {
   std::vector<Vec3d> rest;             // [particles] m
   std::vector<double> mass;            // [particles] kg
   std::vector<double> damping_weight;  // [particles] times the damping coefficient
-  std::vector<Vec3d> mobility;         // [particles] per axis 1 free, 0 held (null or imposed displacement)
-  Vec3d gravity;                       // m/s2
+  std::vector<Vec3d> mobility;  // [particles] per axis 1 free, 0 held, imposed or carried by a rigid body
+  Vec3d gravity;                // m/s2
   ShapeMemory shape_memory;
   std::vector<Fibre> fibres;
   HeldVolume abdomen;
+  std::vector<MembraneEdge>
+      membrane;  // empty: no resistance to stretch within a flat patch (the paper's law)
+  std::vector<RigidBody> bodies;
   std::vector<Support> supports;
+  double friction = 0.0;  // Coulomb's coefficient between supports and their particles
   std::vector<FocalForce> focal_forces;
   std::vector<ImposedDisplacement> imposed_displacements;
+  std::vector<PressureLoad> pressures;
   std::vector<Triangle> lung;  // closed, measured only
 
   std::size_t particles() const noexcept { return rest.size(); }
 };
+
+/// Adds a rigid body that carries `body.particles` and derives what follows from them. The model's masses,
+/// held volume and supports must be there. Throws InputError where a particle is carried twice, or a free
+/// body's particles lie on a line or bear a support.
+void carry(RigidBody body, Model& model);
 
 /// Throws InputError, naming what is wrong, unless sizes agree, indices exist, numbers are finite, masses are
 /// positive, weights are not negative and both surfaces enclose a positive volume.

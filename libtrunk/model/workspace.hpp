@@ -4,6 +4,7 @@
 
 #include "model/model.hpp"
 #include "model/parameters.hpp"
+#include "model/state.hpp"
 
 namespace trunk {
 
@@ -24,6 +25,24 @@ struct Workspace {
   std::vector<Vec3<S>> gradient;            // [held rings] m2
   std::vector<Vec3<S>> direction_gradient;  // [held rings]
   std::vector<Vec3<S>> free_direction;  // [supports] direction of a particle as if its support were absent
+
+  /// The tangent plane of a support where its particle is: normal . x <= offset; normal . push = 1.
+  struct Plane {
+    Vec3<S> normal, push;
+    S offset;
+    Vec3<S> carried;  // m, how far the surface itself moved there in this step
+  };
+  std::vector<Plane> plane;  // [supports]
+
+  struct Body {
+    S inverse_effective_mass;  // 1 / (M + dt C), 1/kg; constant during a run
+    S retained;                // M / (M + dt C)
+    Pose<S> pose;              // at the end of the step
+    Vec3<S> angular_momentum;  // kg m2/s
+    // movement per unit of the volume's multiplier
+    Vec3<S> linear, angular, moment;
+  };
+  std::vector<Body> body;  // [bodies]
 };
 
 /// Sizes the workspace and derives what stays constant during a run. Allocates.
@@ -47,6 +66,12 @@ Workspace<S> make_workspace(const Model& model, const Parameters<S>& parameters,
   w.gradient.resize(model.abdomen.rings.size());
   w.direction_gradient.resize(model.abdomen.rings.size());
   w.free_direction.resize(model.supports.size());
+  w.plane.resize(model.supports.size());
+  for (const RigidBody& body : model.bodies) {
+    const S effective_mass = S(body.mass) + S(dt_s * body.damping_weight) * parameters.damping;
+    w.body.push_back(
+        {S(1.0) / effective_mass, S(body.mass) / effective_mass, {lift<S>(body.centre), {}}, {}, {}, {}, {}});
+  }
   return w;
 }
 

@@ -45,6 +45,7 @@ TEST_CASE("A displaced region follows its course at every step and the volume is
   scenario.loads = {{RegionLoad::Kind::displacement,
                      "central_tendon",
                      {0, 0, -1},
+                     {0, 0, 1},
                      PiecewiseLinear({{0.0, 0.0}, {0.2, 0.005}}),
                      "here"}};
   const Trunk trunk = make_trunk(scenario);
@@ -52,7 +53,7 @@ TEST_CASE("A displaced region follows its course at every step and the volume is
   const Summary summary =
       simulate(trunk.model, scenario.parameters, scenario.activation, scenario.time,
                [&](int, double, const State<double>& state, const StepReport<double>&) {
-                 for (int particle : trunk.regions.at("central_tendon")) {
+                 for (int particle : trunk.mesh.regions.at("central_tendon")) {
                    const auto i = static_cast<std::size_t>(particle);
                    const Vec3d moved = state.position[i] - trunk.model.rest[i];
                    off_course = std::max(off_course, std::abs(moved.z() + 0.005 * state.time_s / 0.2));

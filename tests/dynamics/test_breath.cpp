@@ -33,9 +33,7 @@ Watched watch(const Scenario& scenario) {
         int touching = 0;
         for (std::size_t s = 0; s < model.supports.size(); ++s) {
           const Support& support = model.supports[s];
-          const double depth =
-              dot(support.normal, state.position[static_cast<std::size_t>(support.particle)]) -
-              support.offset;
+          const double depth = outside(model, state, state.position, support);
           seen.penetration = std::max(seen.penetration, depth);
           touching += state.contact[s].touching;
           if (state.contact[s].touching)
@@ -75,8 +73,8 @@ TEST_CASE("With ribs the volume is held and no support is crossed at any step", 
     CAPTURE(seen.volume_error, seen.penetration);
     CHECK(seen.summary.completed());
     CHECK(seen.volume_error < 1e-12);
-    CHECK(seen.penetration < 1e-12);
-    CHECK(seen.depth_of_contact < 1e-12);
+    CHECK(seen.penetration < 1e-10);
+    CHECK(seen.depth_of_contact < 1e-10);
     CHECK(seen.most_touching > 0);  // else nothing was tested
     WARN(name << ": largest relative volume error " << seen.volume_error << ", deepest penetration "
               << seen.penetration << " m");
@@ -93,7 +91,7 @@ TEST_CASE("An abdominal volume that changes in time is followed", "[property][dy
     CAPTURE(seen.volume_error, seen.penetration);
     CHECK(seen.summary.completed());
     CHECK(seen.volume_error < 1e-12);
-    CHECK(seen.penetration < 1e-12);
+    CHECK(seen.penetration < 1e-10);
   }
 }
 
@@ -114,13 +112,21 @@ TEST_CASE("A step allocates nothing", "[property][dynamics]") {
   for (const char* name : {"healthy", "published_healthy"}) {
     Scenario scenario = shipped(name);
     scenario.abdominal_volume = PiecewiseLinear({{0.0, 1.0}, {1.0, 1.01}}, 1.0);
+    // Everything a step can meet.
     scenario.loads = {
-        {RegionLoad::Kind::force, "abdominal_wall", {0, -1, 0}, PiecewiseLinear({{0.0, 1.0}}), "here"},
+        {RegionLoad::Kind::force, "abdominal_wall", {0, -1, 0}, {}, PiecewiseLinear({{0.0, 1.0}}), "here"},
+        {RegionLoad::Kind::pressure, "abdominal_wall", {}, {}, PiecewiseLinear({{0.0, 100.0}}), "here"},
         {RegionLoad::Kind::displacement,
-         "costal_insertion",
+         "pelvis",
+         {0, 0, 1},
          {0, 0, 1},
          PiecewiseLinear({{0.0, 0.0}, {1.0, 0.001}}),
          "here"}};
+    scenario.tissue.membrane_stiffness = 10.0;
+    scenario.tissue.rib_friction = 0.3;
+    RigidPart half{"rib_cage_right", RigidBody::Motion::driven, {}, "", "here"};
+    half.imposed = {{0, 0, 0.5}, {0, -1, 0}, PiecewiseLinear({{0.0, 0.0}, {1.0, 0.02}}), {}, {}};
+    scenario.rigid = {half, {"dome_top_left", RigidBody::Motion::free, {}, "", "here"}};
     const Trunk trunk = make_trunk(scenario);
     State<double> state = rest_state<double>(trunk.model);
     Workspace<double> workspace = make_workspace(trunk.model, scenario.parameters, 1e-3);
@@ -170,5 +176,5 @@ TEST_CASE("Several breaths with pauses run through", "[property][dynamics]") {
   CAPTURE(seen.summary.message);
   CHECK(seen.summary.completed());
   CHECK(seen.volume_error < 1e-12);
-  CHECK(seen.penetration < 1e-12);
+  CHECK(seen.penetration < 1e-10);
 }

@@ -28,7 +28,7 @@ struct FreeFlight {
     calc_forces(model, parameters, 0.0, state, w);
     predict(model, state, w);
     w.corrected = w.predicted;
-    accept(w.dt_s, w, state);
+    accept(model, 0.0, w, state);
   }
   std::vector<Vec3d> momenta() const {
     std::vector<Vec3d> result;

@@ -72,7 +72,7 @@ TEST_CASE("A particle blown out of the trunk ends the run as diverged", "[unit][
   const Trunk trunk = make_trunk(scenario);
   Model model = trunk.model;
   // A lung particle set free and kicked: it belongs to no held volume, so only its distance can tell.
-  const int lung = trunk.mesh.lung_top.particles.front();
+  const int lung = trunk.mesh.named("lung_top").front();
   model.mobility[static_cast<std::size_t>(lung)] = {1, 1, 1};
   model.focal_forces = {{lung, {0, 0, 1}, PiecewiseLinear({{0.0, 100.0}})}};
   int last_seen = 0;

@@ -121,8 +121,8 @@ TEST_CASE("Without stiffness every time step is stable", "[unit][dynamics]") {
 TEST_CASE("The stability bound scales as the square root of mass over stiffness", "[property][dynamics]") {
   Tissue light, heavy;
   heavy.particle_mass = 4.0 * light.particle_mass;
-  const Model a = make_trunk({}, light, Reaction::variational).model;
-  const Model b = make_trunk({}, heavy, Reaction::variational).model;
+  const Model a = make_template_trunk({}, light, Reaction::variational).model;
+  const Model b = make_template_trunk({}, heavy, Reaction::variational).model;
   const double bound = stable_time_step(a, {4000.0, 30.0, 0.0});
   CHECK(stable_time_step(b, {4000.0, 30.0, 0.0}) == Approx(2.0 * bound).epsilon(1e-3));
   CHECK(stable_time_step(a, {16000.0, 120.0, 0.0}) == Approx(0.5 * bound).epsilon(1e-3));

@@ -43,7 +43,7 @@ TEST_CASE("A paralysed fibre does not pull, a half active one pulls half", "[uni
 }
 
 TEST_CASE("Muscle forces are the negative gradient of their energy", "[property][forces]") {
-  const Trunk trunk = make_trunk({}, Tissue{.paralysed = Side::left}, Reaction::variational);
+  const Trunk trunk = make_template_trunk({}, Tissue{.paralysed = Side::left}, Reaction::variational);
   Random random(31);
   const std::vector<Vec3d> x = deformed(trunk.model.rest, 0.01, random);
   const auto& fibres = trunk.model.fibres;
@@ -62,7 +62,7 @@ TEST_CASE("Muscle forces are the negative gradient of their energy", "[property]
 }
 
 TEST_CASE("Muscle forces sum to zero and so do their torques", "[property][forces]") {
-  const Trunk trunk = make_trunk({}, {}, Reaction::variational);
+  const Trunk trunk = make_template_trunk({}, {}, Reaction::variational);
   Random random(32);
   const std::vector<Vec3d> x = deformed(trunk.model.rest, 0.01, random);
   const auto force = muscle_forces(trunk.model.fibres, 30.0, x);

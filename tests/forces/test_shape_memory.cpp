@@ -39,7 +39,7 @@ std::vector<Body> bodies(Reaction reaction, Random& random) {
     all.push_back({mesh.name, memory, uneven(memory.rings.size(), random), mesh.position,
                    deformed(mesh.position, 0.02, random)});
   }
-  const Trunk trunk = make_trunk({}, {}, reaction);
+  const Trunk trunk = make_template_trunk({}, {}, reaction);
   const ShapeMemory& memory = trunk.model.shape_memory;
   all.push_back({"trunk", memory, uneven(memory.rings.size(), random), trunk.model.rest,
                  deformed(trunk.model.rest, 0.01, random)});

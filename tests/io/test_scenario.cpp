@@ -96,9 +96,18 @@ TEST_CASE("A scenario written and read again is the same", "[property][io]") {
     if (i > 1) s.gravity = {0.0, random.between(-1, 1), -9.81};
     if (i > 2) s.abdominal_volume = PiecewiseLinear({{0.0, 1.0}, {random.between(0.1, 2), 1.1}}, 1.0);
     if (i > 3)  // displacements before forces, as they are read: the order of kinds has no meaning
-      s.loads = {
-          {RegionLoad::Kind::displacement, "pelvis", {1, 0, 0}, PiecewiseLinear({{0.5, 0.003}}), ""},
-          {RegionLoad::Kind::force, "abdominal_wall", {0, -1, 0.5}, PiecewiseLinear({{0.0, 1.0 / 3.0}}), ""}};
+      s.loads = {{RegionLoad::Kind::displacement,
+                  "pelvis",
+                  {1, 0, 0},
+                  {1, 1, 0},
+                  PiecewiseLinear({{0.5, 0.003}}),
+                  ""},
+                 {RegionLoad::Kind::force,
+                  "abdominal_wall",
+                  {0, -1, 0.5},
+                  {},
+                  PiecewiseLinear({{0.0, 1.0 / 3.0}}),
+                  ""}};
     const std::string text = to_toml(s);
     INFO(text);
     const ScenarioFile file = read_scenario(folder.write("again.toml", text));

@@ -46,6 +46,17 @@ inline void hold_volume(const Mesh& mesh, Model& model) {
       mesh.triangles, ring_table(mesh.surface()), enclosed_volume<double>(mesh.triangles, mesh.position), {}};
 }
 
+/// How far outside of its support's surface a particle is, m (to second order); negative inside.
+inline double outside(const Model& model, const State<double>& state, const std::vector<Vec3d>& position,
+                      const Support& s) {
+  const auto b = static_cast<std::size_t>(s.body);
+  const Pose<double>& pose = state.body[b].pose;
+  const Vec3d point = placed(model.bodies[b], pose, s.point);
+  const Vec3d y = turn_back(pose.rotation, position[static_cast<std::size_t>(s.particle)] - point);
+  const Vec3d bend{dot(s.curvature[0], y), dot(s.curvature[1], y), dot(s.curvature[2], y)};
+  return dot(s.normal, y) + 0.5 * dot(bend, y);
+}
+
 inline Vec3d total(const std::vector<Vec3d>& field) {
   Vec3d sum;
   for (const Vec3d& a : field) sum += a;

@@ -1,0 +1,123 @@
+#pragma once
+
+#include "constraints/rigid_bodies.hpp"
+
+namespace trunk {
+
+/// The tangent plane of each support's surface where its particle is predicted to be. What the constraints
+/// then move a particle in one step, d, leaves the plane from the surface by d^2 times the curvature, below
+/// 1e-10 m (our choice). (predicted, body) => plane
+template <Scalar S>
+void calc_planes(const Model& model, const State<S>& state, Workspace<S>& w) noexcept {
+  for (std::size_t s = 0; s < model.supports.size(); ++s) {
+    const Support& support = model.supports[s];
+    const auto b = static_cast<std::size_t>(support.body), i = static_cast<std::size_t>(support.particle);
+    const RigidBody& body = model.bodies[b];
+    const bool moves = body.motion != RigidBody::Motion::fixed;
+    const Rotation<S>& rotation = w.body[b].pose.rotation;
+    const Vec3<S> point = moves ? placed(body, w.body[b].pose, support.point) : lift<S>(support.point);
+    const Vec3<S> apart = w.predicted[i] - point;
+    const Vec3<S> at_rest = moves ? turn_back(rotation, apart) : apart;
+    const auto bend_row = [&](int k) { return dot(lift<S>(support.curvature[k]), at_rest); };
+    const Vec3<S> bend{bend_row(0), bend_row(1), bend_row(2)};
+    const Vec3<S> normal = lift<S>(support.normal) + bend;
+
+    auto& plane = w.plane[s];
+    plane.normal = moves ? turn(rotation, normal) : normal;
+    plane.push = (S(1.0) / dot(normal, normal)) * plane.normal;
+    plane.offset = S(0.5) * dot(bend, at_rest) + dot(plane.normal, point);
+    if (!moves) continue;
+    const Vec3<S> before =
+        turn_back(state.body[b].pose.rotation, state.position[i] - state.body[b].pose.centre);
+    plane.carried = w.body[b].pose.centre + turn(rotation, before) - state.position[i];
+  }
+}
+
+namespace detail {
+
+/// The part along the surface.
+template <Scalar S>
+Vec3<S> along(const typename Workspace<S>::Plane& plane, const Vec3<S>& a) noexcept {
+  return a - dot(plane.normal, a) * plane.push;
+}
+
+/// Puts the particles that touch back on their plane. (predicted, contact) => corrected
+template <Scalar S>
+void project_onto_supports(const Model& model, const State<S>& state, Workspace<S>& w) noexcept {
+  for (std::size_t s = 0; s < model.supports.size(); ++s) {
+    const auto& plane = w.plane[s];
+    const auto i = static_cast<std::size_t>(model.supports[s].particle);
+    const Vec3<S> x = w.predicted[i];
+    const S excess = dot(plane.normal, x) - plane.offset;
+    w.corrected[i] = select(state.contact[s].touching, x - excess * plane.push, x);
+  }
+}
+
+/// Particles that touch are corrected along their plane only, those that stick not at all.
+/// (free_direction, contact) => direction
+template <Scalar S>
+void slide_along_supports(const Model& model, const State<S>& state, Workspace<S>& w) noexcept {
+  for (std::size_t s = 0; s < model.supports.size(); ++s) {
+    const auto& contact = state.contact[s];
+    const Vec3<S> d = w.free_direction[s];
+    const Vec3<S> slide = select(contact.sticking, Vec3<S>(), along<S>(w.plane[s], d));
+    w.direction[static_cast<std::size_t>(model.supports[s].particle)] = select(contact.touching, slide, d);
+  }
+}
+
+/// Where a particle would go without its support.
+template <Scalar S>
+Vec3<S> unsupported(const Model& model, std::size_t support, const S& multiplier,
+                    const Workspace<S>& w) noexcept {
+  return w.predicted[static_cast<std::size_t>(model.supports[support].particle)] +
+         multiplier * w.free_direction[support];
+}
+
+/// A particle touches where, corrected as if its support were absent, it would be outside. Returns true in
+/// the lanes where every support keeps its side. (predicted, free_direction) => contact
+template <Scalar S>
+Mask<S> update_touching(const Model& model, const S& multiplier, const Workspace<S>& w,
+                        State<S>& state) noexcept {
+  Mask<S> settled = S(0.0) < S(1.0);
+  for (std::size_t s = 0; s < model.supports.size(); ++s) {
+    const Mask<S> touching = w.plane[s].offset < dot(w.plane[s].normal, unsupported(model, s, multiplier, w));
+    settled = Mask<S>(settled & (touching == state.contact[s].touching));
+    state.contact[s].touching = touching;
+  }
+  return settled;
+}
+
+/// How far each support pushed its particle back. (contact, plane) => contact
+template <Scalar S>
+void record_press(const Model& model, const S& multiplier, const Workspace<S>& w, State<S>& state) noexcept {
+  using std::sqrt;
+  for (std::size_t s = 0; s < model.supports.size(); ++s) {
+    const auto& plane = w.plane[s];
+    const S excess = dot(plane.normal, unsupported(model, s, multiplier, w)) - plane.offset;
+    state.contact[s].press =
+        select(state.contact[s].touching, excess / sqrt(dot(plane.normal, plane.normal)), S(0.0));
+  }
+}
+
+/// Coulomb's law for the particles that touched at the last step, with the push of that step (our choice; it
+/// is late by one step): one that would slide less far than friction times the push sticks to the surface,
+/// any other is held back by that much. (direction, contact, multiplier) => predicted, contact
+template <Scalar S>
+void apply_friction(const Model& model, State<S>& state, Workspace<S>& w) noexcept {
+  using std::sqrt;
+  const S nothing(1e-300);
+  for (std::size_t s = 0; s < model.supports.size(); ++s) {
+    auto& contact = state.contact[s];
+    const auto i = static_cast<std::size_t>(model.supports[s].particle);
+    const Vec3<S> carried = state.position[i] + w.plane[s].carried;
+    const Vec3<S> predicted_slide = along<S>(w.plane[s], w.predicted[i] - carried);
+    const Vec3<S> slide = along<S>(w.plane[s], unsupported(model, s, state.multiplier, w) - carried);
+    const S length = sqrt(dot(slide, slide) + nothing), limit = S(model.friction) * contact.press;
+    contact.sticking = Mask<S>(contact.touching & (length < limit));
+    const Vec3<S> held_back = select(contact.sticking, predicted_slide, (limit / length) * slide);
+    w.predicted[i] = select(contact.touching, w.predicted[i] - held_back, w.predicted[i]);
+  }
+}
+
+}  // namespace detail
+}  // namespace trunk
