@@ -50,6 +50,7 @@ int main(int argc, char** argv) {
   trunk::add_fit(app, common, run);
   trunk::add_sweep(app, common, run);
   trunk::add_status(app, common, run);
+  trunk::add_validate(app, common, run);
   trunk::add_inspect(app, common, run);
   try {
     app.parse(argc, argv);

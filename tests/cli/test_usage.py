@@ -5,7 +5,7 @@ import unittest
 
 from support import COARSE, HEALTHY, TrunkTest, trace
 
-COMMANDS = ("check", "simulate", "breaths", "fit", "sweep", "status", "inspect")
+COMMANDS = ("check", "simulate", "breaths", "fit", "sweep", "status", "validate", "inspect")
 
 
 class Help(TrunkTest):
@@ -92,6 +92,7 @@ class Json(TrunkTest):
         yield "inspect", "f.h5"
         yield "inspect", "d/sweep.h5"
         yield "check", "--keys"
+        yield "validate",
 
     def test_one_object_or_a_table(self):
         for command in self.commands():

@@ -1,0 +1,109 @@
+#include <fmt/format.h>
+
+#include "commands/commands.hpp"
+#include "commands/shipped_files.hpp"
+#include "commands/validation_text.hpp"
+
+namespace trunk {
+namespace {
+
+struct Request {
+  std::string scenarios, table1;
+};
+
+Json row_json(const char* name, const auto& value_of) {
+  Json json{{"name", name}};
+  for (const Table1Column& column : table1_columns()) json[std::string(column.measure)] = value_of(column);
+  return json;
+}
+
+Json breath_json(const ValidatedScenario& scenario, const ValidatedBreath& breath) {
+  return {{"scenario", scenario.name},
+          {"status", breath.status},
+          {"message", breath.message},
+          {"delta_v_ml", json_number(breath.row.dv_ml)},
+          {"excursion_left_mm", json_number(breath.left_dome_mm)},
+          {"excursion_right_mm", json_number(breath.right_dome_mm)},
+          {"max_relative_volume_error", json_number(breath.volume_error)}};
+}
+
+Json bound_json(const Judged& r) {
+  return {{"name", r.bound.name},
+          {"value", json_number(r.value)},
+          {"low", json_number(r.bound.low)},
+          {"high", json_number(r.bound.high)},
+          {"limits_allowed", !r.bound.open},
+          {"unit", r.bound.unit},
+          {"pass", r.pass}};
+}
+
+Json summary(const Findings& f, std::span<const Judged> results, bool valid, const Request& request) {
+  Json json{{"schema", "trunk.validate/1"},   {"status", valid ? "valid" : "not_valid"},
+            {"scenarios", request.scenarios}, {"table1", request.table1},
+            {"rows", Json::array()},          {"errors", Json::array()},
+            {"breaths", Json::array()},       {"bounds", Json::array()}};
+  for (const Table1Source& source : table1_rows(f)) {
+    json["rows"].push_back(row_json(
+        source.name, [&](const Table1Column& column) { return json_number(source.row->*column.value); }));
+    if (source.row != &f.paper.experiment)
+      json["errors"].push_back(row_json(source.name, [&](const Table1Column& column) {
+        const Table1Error error = error_of(column, *source.row, f.paper.experiment);
+        return Json{{"value", json_number(error.value)}, {"unit", error.relative ? "percent" : column.unit}};
+      }));
+  }
+  for (const ValidatedScenario& scenario : validated_scenarios())
+    json["breaths"].push_back(breath_json(scenario, f.*scenario.breath));
+  for (const Judged& r : results) json["bounds"].push_back(bound_json(r));
+  return json;
+}
+
+/// Why numbers are missing, where a simulation did not end.
+std::string unfinished_text(const Findings& f) {
+  std::string text;
+  for (const ValidatedScenario& scenario : validated_scenarios()) {
+    const ValidatedBreath& breath = f.*scenario.breath;
+    if (breath.status != "completed") text += fmt::format("; {}: {}", scenario.name, breath.message);
+  }
+  return text;
+}
+
+Exit validate_command(const Common& common, Request request) {
+  if (request.scenarios.empty()) request.scenarios = shipped_file("scenarios", "--scenarios").string();
+  if (request.table1.empty()) request.table1 = shipped_file("reference/table1.csv", "--table1").string();
+  const Findings findings =
+      find(request.table1, require_folder(request.scenarios),
+           [](std::string_view name) { print_progress(fmt::format("validate: {}", name)); });
+  const std::vector<Judged> results = judged(findings);
+  const std::string failures = failures_text(results);
+  print_result(common, summary(findings, results, failures.empty(), request),
+               validation_text(findings, results));
+  if (failures.empty()) return Exit::done;
+  print_note("trunk: " + failures + unfinished_text(findings));
+  return Exit::not_converged;
+}
+
+}  // namespace
+
+void add_validate(CLI::App& app, Common& common, Run& run) {
+  auto* command = app.add_subcommand(
+      "validate",
+      "Hold the simulator against the paper's Table 1 and against paralysis; exit 3 where it fails");
+  const auto request = std::make_shared<Request>();
+  command->add_option("--scenarios", request->scenarios,
+                      "folder of the scenarios to run [scenarios, beside the program's folder, else here]");
+  command->add_option("--table1", request->table1,
+                      "the paper's figures (CSV) [reference/table1.csv, found likewise]");
+  command->add_flag("--json", common.json, "print one JSON object");
+  std::string names;
+  for (const ValidatedScenario& scenario : validated_scenarios())
+    names += (names.empty() ? "" : ", ") + std::string(scenario.name);
+  command->footer(
+      "Runs " + names +
+      ".\nPrints Table 1 (experiment, published model, ours), the errors, and every bound with its "
+      "value.\nWrites no file. Exit codes: 0 every bound holds, 2 bad input, 3 a bound fails or a "
+      "simulation did not end.");
+  command->callback(
+      [&common, &run, request] { run = [&common, request] { return validate_command(common, *request); }; });
+}
+
+}  // namespace trunk

@@ -1,0 +1,75 @@
+#include "validation/findings.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "errors/input_error.hpp"
+#include "io/scenario_file.hpp"
+#include "recording/run_record.hpp"
+
+namespace trunk {
+namespace {
+
+constexpr ValidatedScenario scenarios[] = {
+    {"published_healthy", &Findings::published_healthy},
+    {"healthy", &Findings::healthy},
+    {"hemiparalysis_right", &Findings::hemiparalysis_right},
+    {"hemiparalysis_left", &Findings::hemiparalysis_left},
+    {"exercise_healthy", &Findings::exercise_healthy},
+    {"exercise_hemiparalysis_right", &Findings::exercise_hemiparalysis_right}};
+
+constexpr ParalysedPair pairs[] = {
+    {"hemiparalysis_right", &Findings::hemiparalysis_right, &Findings::healthy,
+     &ValidatedBreath::right_dome_mm, &ValidatedBreath::left_dome_mm},
+    {"hemiparalysis_left", &Findings::hemiparalysis_left, &Findings::healthy, &ValidatedBreath::left_dome_mm,
+     &ValidatedBreath::right_dome_mm},
+    {"exercise_hemiparalysis_right", &Findings::exercise_hemiparalysis_right, &Findings::exercise_healthy,
+     &ValidatedBreath::right_dome_mm, &ValidatedBreath::left_dome_mm}};
+
+double value_of(std::span<const NamedValue> measures, std::string_view name) {
+  const auto found =
+      std::find_if(measures.begin(), measures.end(), [&](const NamedValue& v) { return v.name == name; });
+  return found == measures.end() ? std::nan("") : found->value;
+}
+
+ValidatedBreath simulated(const std::filesystem::path& scenario) {
+  const ScenarioFile file = read_scenario(scenario);
+  const BreathRun run = run_breath(build_trunk(file), file.scenario, 0);
+  const std::vector<NamedValue> measures = measures_of(run);
+  ValidatedBreath breath;
+  breath.title = file.scenario.title;
+  breath.status = status_word(run.summary.status);
+  breath.message = run.summary.message;
+  breath.row = row_of(measures);
+  breath.right_dome_mm = value_of(measures, "excursion_right_mm");
+  breath.left_dome_mm = value_of(measures, "excursion_left_mm");
+  breath.volume_error = value_of(measures, "max_relative_volume_error");
+  return breath;
+}
+
+}  // namespace
+
+std::span<const ValidatedScenario> validated_scenarios() {
+  return scenarios;
+}
+
+std::span<const ParalysedPair> paralysed_pairs() {
+  return pairs;
+}
+
+double ParalysedPair::volume_percent(const Findings& f) const {
+  return 100.0 * (f.*breath).row.dv_ml / (f.*twin).row.dv_ml;
+}
+
+Findings find(const std::filesystem::path& table1, const std::filesystem::path& folder,
+              const std::function<void(std::string_view name)>& note) {
+  Findings findings;
+  findings.paper = read_table1(table1);
+  for (const ValidatedScenario& scenario : scenarios) {
+    note(scenario.name);
+    findings.*scenario.breath = simulated(folder / (std::string(scenario.name) + ".toml"));
+  }
+  return findings;
+}
+
+}  // namespace trunk
