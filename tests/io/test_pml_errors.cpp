@@ -72,6 +72,8 @@ TEST_CASE("Every kind of bad PML names line, what was found and what was expecte
       {"<physicalModel a='1' b='2' a='3'/>", ":1:", {"'a' twice"}},
       {"<physicalModel a='&#1;'/>", ":1:", {"control character", "'a'"}},
       {"<physicalModel>\n\xE9</physicalModel>", ":2:", {"not UTF-8"}},
+      {"<physicalModel a='\xE0\x80\xAF'/>", ":1:", {"not UTF-8"}},  // overlong
+      {"<physicalModel a='\xED\xA0\x80'/>", ":1:", {"not UTF-8"}},  // half a surrogate pair
       {std::string("<physicalModel>\n\n\0</physicalModel>", 34), ":3:", {"control character"}},
       {atoms("index='0' x='0' y='0'"), ":4:", {"<atomProperties>", "'z'"}},
       {atoms("index='0' x='0' y='0' z=''"), ":4:", {"z=''", "finite number"}},

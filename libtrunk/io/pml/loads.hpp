@@ -84,8 +84,8 @@ struct Loads {
 /// Throws InputError when the dates do not increase.
 PiecewiseLinear course(const Load& load, double to_si);
 
-/// The atoms a load names by index, each once, in the order of the text. Ranges are cut out of nothing:
-/// throws InputError when an index is `end` or more.
+/// The atoms a load names by index, each once, in the order of the text; names and "*" add none.
+/// Throws InputError when an index is `end` or more: no range is longer than what is there.
 std::vector<std::size_t> listed_indices(const Load& load, std::size_t end);
 
 }  // namespace trunk::pml
