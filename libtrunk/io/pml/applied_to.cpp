@@ -1,0 +1,88 @@
+#include "pml/applied_to.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "pml/text_values.hpp"
+
+namespace trunk::pml {
+namespace {
+
+std::vector<std::string_view> split(std::string_view text) {
+  std::vector<std::string_view> items;
+  for (std::size_t from = 0; from <= text.size();) {
+    const std::size_t comma = std::min(text.find(',', from), text.size());
+    items.push_back(trimmed(text.substr(from, comma - from)));
+    from = comma + 1;
+  }
+  return items;
+}
+
+// Whatever consists of these is meant as indexes: "3-", "1.5" and "-2" are mistakes, not names.
+bool looks_numeric(std::string_view item) {
+  return item.find_first_not_of("0123456789-+. \t\r\n") == std::string_view::npos;
+}
+
+std::optional<IndexRange> range_of(std::string_view item) {
+  const std::size_t dash = item.find('-');
+  const auto first = whole_number(item.substr(0, dash));
+  const auto last = dash == std::string_view::npos ? first : whole_number(item.substr(dash + 1));
+  if (!first || !last) return std::nullopt;
+  return IndexRange{*first, *last};
+}
+
+Target target_of(std::string_view item, const XmlDocument& xml, pugi::xml_node at) {
+  if (item == "*") return AllAtoms{};
+  if (!item.empty() && !looks_numeric(item)) return ComponentName{std::string(item)};
+  const auto range = range_of(item);
+  if (!range)
+    xml.fail(at,
+             fmt::format("appliedTo has {}, expected an index as 7, a range as 0-3, the name of a component "
+                         "or *, separated by commas; correct it",
+                         cited(item)));
+  if (range->last < range->first)
+    xml.fail(at, fmt::format("appliedTo has the range {}, expected the smaller index first; turn it round",
+                             cited(item)));
+  return *range;
+}
+
+void check_length(const std::vector<Target>& targets, const XmlDocument& xml, pugi::xml_node at) {
+  std::size_t sum = 0;
+  for (const Target& target : targets)
+    if (const IndexRange* const range = std::get_if<IndexRange>(&target))
+      sum += range->last - range->first + 1;
+  if (sum > most_indices)
+    xml.fail(at, fmt::format("appliedTo lists {} atoms, expected at most {}; shorten the ranges", sum,
+                             most_indices));
+}
+
+struct TargetText {
+  std::string operator()(const IndexRange& range) const {
+    return range.first == range.last ? fmt::format("{}", range.first)
+                                     : fmt::format("{}-{}", range.first, range.last);
+  }
+  std::string operator()(const ComponentName& component) const { return component.name; }
+  std::string operator()(AllAtoms) const { return "*"; }
+};
+
+}  // namespace
+
+std::vector<Target> read_targets(const XmlDocument& xml, pugi::xml_node applied_to) {
+  const std::string text = xml.text(applied_to);
+  if (text.empty())
+    xml.fail(applied_to,
+             "appliedTo is empty, expected indexes as 0-3,7, names of components or *; fill it in");
+  std::vector<Target> targets;
+  for (const std::string_view item : split(text)) targets.push_back(target_of(item, xml, applied_to));
+  check_length(targets, xml, applied_to);
+  return targets;
+}
+
+std::string text_of(const std::vector<Target>& targets) {
+  std::vector<std::string> texts;
+  for (const Target& target : targets) texts.push_back(std::visit(TargetText{}, target));
+  return fmt::format("{}", fmt::join(texts, ","));
+}
+
+}  // namespace trunk::pml

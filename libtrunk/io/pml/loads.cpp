@@ -1,0 +1,35 @@
+#include "pml/loads.hpp"
+
+#include <fmt/format.h>
+
+#include "errors/input_error.hpp"
+
+namespace trunk::pml {
+
+PiecewiseLinear course(const Load& load, double to_si) {
+  std::vector<PiecewiseLinear::Event> events;
+  for (const Load::Event& event : load.events) events.push_back({event.date, event.value * to_si});
+  return PiecewiseLinear(std::move(events));
+}
+
+std::vector<std::size_t> listed_indices(const Load& load, std::size_t end) {
+  std::vector<std::size_t> indices;
+  std::vector<bool> taken(end);
+  for (const Target& target : load.targets) {
+    const IndexRange* const range = std::get_if<IndexRange>(&target);
+    if (!range) continue;
+    if (range->last >= end || range->first > range->last)
+      throw InputError(
+          fmt::format("a load on atoms {}-{}, expected indexes below {} in increasing order; correct "
+                      "its appliedTo",
+                      range->first, range->last, end));
+    for (std::size_t index = range->first; index <= range->last; ++index)
+      if (!taken[index]) {
+        taken[index] = true;
+        indices.push_back(index);
+      }
+  }
+  return indices;
+}
+
+}  // namespace trunk::pml
