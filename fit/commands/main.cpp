@@ -52,6 +52,7 @@ int main(int argc, char** argv) {
   trunk::add_status(app, common, run);
   trunk::add_validate(app, common, run);
   trunk::add_inspect(app, common, run);
+  trunk::add_export(app, common, run);
   try {
     app.parse(argc, argv);
     const trunk::Exit exit = run();

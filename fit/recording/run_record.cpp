@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "errors/input_error.hpp"
+#include "io/trunk_pml.hpp"
 
 namespace trunk {
 namespace {
@@ -33,6 +34,13 @@ Trajectory trajectory_of(const Trunk& trunk, const BreathRun& run, double dt_s) 
     for (int i : particles)
       t.region[static_cast<std::size_t>(i)] = static_cast<std::int32_t>(t.region_names.size());
     t.region_names.push_back(name);
+  }
+  t.rigid.assign(t.particles, 0);
+  t.rigid_names = {"none"};
+  for (const RigidBody& body : trunk.model.bodies) {
+    for (int i : body.particles)
+      t.rigid[static_cast<std::size_t>(i)] = static_cast<std::int32_t>(t.rigid_names.size());
+    t.rigid_names.push_back(body.name);
   }
   t.component_names = {"abdomen_and_diaphragm", "lung"};
   for (const auto& [triangles, component] :
@@ -127,6 +135,7 @@ RunRecord run_record(const ScenarioFile& file, const Trunk& trunk, const BreathR
   r.status = status_word(run.summary.status);
   r.message = run.summary.message;
   r.scenario_toml = scenario_text(file);
+  if (file.scenario.mesh) r.trunk_pml = trunk_pml(file.scenario);
   r.parameters = parameters_of({file.scenario.parameters, file.scenario.activation});
   r.measures = measures_of(run);
   r.trajectory = trajectory_of(trunk, run, file.scenario.time.dt_s);

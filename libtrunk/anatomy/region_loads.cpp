@@ -45,6 +45,15 @@ void impose(const RegionLoad& load, int particle, Model& model) {
   mobility = hadamard(mobility, Vec3d(1.0, 1.0, 1.0) - load.axes);
 }
 
+/// A third of each triangle's force at each corner.
+void add_traction(const RegionLoad& load, const std::vector<Triangle>& triangles, Model& model) {
+  for (const Triangle& t : triangles) {
+    const auto at = [&](std::size_t corner) { return model.rest[static_cast<std::size_t>(t[corner])]; };
+    const double area = 0.5 * norm(cross(at(1) - at(0), at(2) - at(0)));
+    for (int i : t) model.focal_forces.push_back({i, (area / 3.0) * load.direction, load.magnitude});
+  }
+}
+
 }  // namespace
 
 void apply(const RegionLoad& load, Trunk& trunk) {
@@ -56,7 +65,10 @@ void apply(const RegionLoad& load, Trunk& trunk) {
       throw InputError(
           fmt::format("{}: no triangle has all its corners in '{}', so a pressure has nothing to act on",
                       load.origin, load.region));
-    model.pressures.push_back({triangles, load.magnitude});
+    if (dot(load.direction, load.direction) == 0.0)
+      model.pressures.push_back({triangles, load.magnitude});
+    else
+      add_traction(load, triangles, model);
     return;
   }
   for (int i : particles) switch (load.kind) {

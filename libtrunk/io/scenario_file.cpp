@@ -76,10 +76,14 @@ class Reader {
   explicit Reader(ScenarioFile& file) : file_(file) {}
 
   void read(const std::filesystem::path& path, int depth) {
-    const std::string name = path.string();
     const std::string text = read_text_file(path, largest_file);
     if (depth == 0) file_.text = text;
     file_.inputs.push_back(path);
+    read_text(text, path, depth);
+  }
+
+  void read_text(const std::string& text, const std::filesystem::path& path, int depth) {
+    const std::string name = path.string();
     const toml::table root = parse_toml(text, name);
     if (const toml::node* base = root.get("extends")) {
       const TomlPlace place{name, base->source().begin.line};
@@ -145,13 +149,24 @@ class Reader {
   ScenarioFile& file_;
 };
 
+/// Takes over a trunk in place of the one read before; a rigid part that the scenario describes itself is not taken
+/// from it.
+void adopt(TrunkFile trunk, const std::string& read_before, Scenario& scenario) {
+  std::erase_if(scenario.rigid, [&](const RigidPart& part) { return part.origin == read_before; });
+  scenario.mesh = std::make_shared<const TrunkMesh>(std::move(trunk.mesh));
+  for (RigidPart& part : trunk.rigid)
+    if (std::none_of(scenario.rigid.begin(), scenario.rigid.end(),
+                     [&](const RigidPart& own) { return own.region == part.region; }))
+      scenario.rigid.push_back(std::move(part));
+}
+
 /// Reads the trunk that the scenario names, unless it is there already.
 void read_mesh(ScenarioFile& file) {
   Scenario& s = file.scenario;
   if (s.mesh_file.empty()) s.mesh.reset();
   if (s.mesh_file.empty() || (s.mesh && file.mesh_read == s.mesh_file)) return;
   try {
-    s.mesh = std::make_shared<const TrunkMesh>(read_trunk_pml(s.mesh_file));
+    adopt(read_trunk_pml(s.mesh_file), file.mesh_read, s);
   } catch (const InputError& error) {
     throw InputError(fmt::format("{}: {}", file.where("geometry.pml"), error.what()));
   }
@@ -171,6 +186,19 @@ ScenarioFile read_scenario(const std::filesystem::path& path, const std::vector<
   file.path = path.string();
   Reader(file).read(path, 0);
   apply_settings(settings, file);
+  return file;
+}
+
+ScenarioFile scenario_of_text(const std::string& text, const std::string& name, const std::string& trunk_pml) {
+  ScenarioFile file;
+  file.path = name;
+  file.text = text;
+  Reader(file).read_text(text, name, 0);
+  if (!trunk_pml.empty()) {
+    adopt(trunk_of_pml(trunk_pml, name), "", file.scenario);
+    file.mesh_read = file.scenario.mesh_file;
+  }
+  read_mesh(file);
   return file;
 }
 

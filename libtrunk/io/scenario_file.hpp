@@ -37,6 +37,9 @@ Setting setting_of(const std::string& text);
 /// itself. `settings` are "key=value" texts as given to --set, applied last.
 ScenarioFile read_scenario(const std::filesystem::path& path, const std::vector<std::string>& settings = {});
 
+/// A scenario from its text, as results files keep it, with the PML text of its trunk where it has one.
+ScenarioFile scenario_of_text(const std::string& text, const std::string& name, const std::string& trunk_pml);
+
 /// Puts values over a scenario that was read. Throws as read_scenario does.
 void apply_settings(const std::vector<Setting>& settings, ScenarioFile& file);
 void apply_settings(const std::vector<std::string>& settings, ScenarioFile& file);

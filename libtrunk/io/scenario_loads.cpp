@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "io/region_loads_lml.hpp"
 #include "io/scenario_rigid.hpp"
 #include "math/units.hpp"
 
@@ -16,7 +17,7 @@ Vec3d without_magnitude(const Vec3d& d) {
 }
 
 RegionLoad load_of(const toml::table& table, const LoadKey& keys, const TomlPlace& place) {
-  const bool directed = keys.kind != RegionLoad::Kind::pressure;
+  const bool must_point = keys.kind != RegionLoad::Kind::pressure;
   const std::string kind(keys.table);
   RegionLoad load;
   load.kind = keys.kind;
@@ -27,7 +28,7 @@ RegionLoad load_of(const toml::table& table, const LoadKey& keys, const TomlPlac
     const TomlPlace at{place.file, key_text.source().begin.line};
     if (key == "region" && value.is_string()) {
       load.region = *value.value_exact<std::string>();
-    } else if (key == "direction" && directed) {
+    } else if (key == "direction") {
       load.direction = direction_of(value, kind + ".direction", at);
     } else if (key == "axes" && keys.kind == RegionLoad::Kind::displacement) {
       load.axes = without_magnitude(direction_of(value, kind + ".axes", at));
@@ -36,15 +37,15 @@ RegionLoad load_of(const toml::table& table, const LoadKey& keys, const TomlPlac
       load.magnitude = events_of(value, kind + "." + key, keys.to_si, 0.0, at);
     } else {
       at.fail(fmt::format("unknown or wrong key '{}' in [[{}]], expected region (a text),{} and {}", key,
-                          kind, directed ? " direction" : "", keys.events));
+                          kind, " direction", keys.events));
     }
   }
   if (!has_axes) load.axes = without_magnitude(load.direction);
   const bool idle =
-      directed && dot(load.direction, load.direction) == 0.0 && dot(load.axes, load.axes) == 0.0;
+      must_point && dot(load.direction, load.direction) == 0.0 && dot(load.axes, load.axes) == 0.0;
   if (load.region.empty() || load.magnitude.empty() || idle)
     place.fail(fmt::format("[[{}]] is incomplete, expected region,{} and {}", kind,
-                           directed ? " a direction that is not zero" : "", keys.events));
+                           must_point ? " a direction that is not zero" : "", keys.events));
   return load;
 }
 
@@ -75,6 +76,13 @@ bool read_special(const std::string& path, const toml::node& node, const TomlPla
     for (const auto& event : scenario.abdominal_volume.events())
       if (!(event.value > 0.1 && event.value < 10.0))
         place.fail(fmt::format("{} is {}, expected 0.1 to 10 times the rest volume", path, event.value));
+    return true;
+  }
+  if (path == "loads") {
+    const auto name = node.value_exact<std::string>();
+    if (!name) place.fail(fmt::format("loads is {}, expected the name of an LML file", shown(node)));
+    const auto loads = read_region_loads(place.beside(*name));
+    scenario.loads.insert(scenario.loads.end(), loads.begin(), loads.end());
     return true;
   }
   if (path == "rigid") {

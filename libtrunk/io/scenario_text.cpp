@@ -15,7 +15,8 @@ std::string to_toml(const RegionLoad& load) {
   const auto& key =
       *std::find_if(keys.begin(), keys.end(), [&](const LoadKey& k) { return k.kind == load.kind; });
   std::string text = fmt::format("\n[[{}]]\nregion = {}\n", key.table, toml_text(load.region));
-  if (load.kind != RegionLoad::Kind::pressure) text += "direction = " + toml_direction(load.direction) + "\n";
+  if (load.kind != RegionLoad::Kind::pressure || dot(load.direction, load.direction) > 0.0)
+    text += "direction = " + toml_direction(load.direction) + "\n";
   if (load.kind == RegionLoad::Kind::displacement) text += "axes = " + toml_direction(load.axes) + "\n";
   return text + fmt::format("{} = {}\n", key.events, toml_events(load.magnitude, key.to_si));
 }

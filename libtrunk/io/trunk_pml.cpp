@@ -1,7 +1,166 @@
 #include "io/trunk_pml.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <limits>
+
 #include "errors/input_error.hpp"
+#include "io/text_file.hpp"
+#include "pml/read_pml.hpp"
+
 namespace trunk {
-TrunkMesh read_trunk_pml(const std::filesystem::path& path) {
-  throw InputError(path.string());
+namespace {
+
+constexpr std::size_t largest_file = 100'000'000;
+
+class Reader {
+ public:
+  Reader(const pml::PhysicalModel& model, const std::string& file) : model_(model), file_(file) {}
+
+  TrunkFile read() {
+    read_atoms();
+    visit(model_.exclusive, false);
+    if (model_.informative) visit(*model_.informative, false);
+    for (const auto& [name, found] :
+         {std::pair{"abdomen", !mesh().abdomen.empty()}, std::pair{"lung", !mesh().lung.empty()},
+          std::pair{"muscle_lines", !mesh().muscle_lines.empty()}})
+      if (!found) fail(fmt::format("there is no component '{}', expected a trunk as `trunk export --pml` writes it", name));
+    try {
+      const int particles = static_cast<int>(mesh().rest.size());
+      Surface("abdomen", mesh().abdomen, particles);
+      Surface("lung", mesh().lung, particles);
+      require_anatomy(mesh());
+    } catch (const InputError& error) {
+      fail(error.what());
+    }
+    return std::move(result_);
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& text) const { throw InputError(file_, 0, text); }
+
+  TrunkMesh& mesh() { return result_.mesh; }
+
+  double number(const std::string& text, const std::string& what, double low) const {
+    double value = 0.0;
+    const char* end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data(), end, value);
+    if (error != std::errc{} || stop != end || !std::isfinite(value) || value < low)
+      fail(fmt::format("{} is '{}', expected a number of {:g} or more", what, text, low));
+    return value;
+  }
+
+  double to_metres() const {
+    const std::string* unit = pml::find(model_.attributes, "unit");
+    if (!unit || *unit == "mm") return 1e-3;
+    if (*unit == "m") return 1.0;
+    fail(fmt::format("the model's unit is '{}', expected mm or m", *unit));
+  }
+
+  void read_atoms() {
+    const double scale = to_metres();
+    if (const std::string* axes = pml::find(model_.attributes, "axes"); axes && *axes != "RAS")
+      fail(fmt::format("the model's axes are '{}', expected RAS: right, forward, up", *axes));
+    if (const std::string* fineness = pml::find(model_.attributes, "fineness"))
+      mesh().fineness = number(*fineness, "the model's fineness", 1e-3);
+    TrunkMesh::Given& given = mesh().given;
+    for (const pml::Atom& atom : model_.atoms) {
+      if (atom.index != mesh().rest.size())
+        fail(fmt::format("atom {} follows {} others, expected the atoms of a trunk to be numbered 0, 1, 2 … in order",
+                         atom.index, mesh().rest.size()));
+      mesh().rest.push_back(scale * atom.position);
+      for (const auto& [name, field] : {std::pair{"mass", &given.mass}, std::pair{"stiffness", &given.stiffness},
+                                        std::pair{"damping", &given.damping}}) {
+        const std::string* text = pml::find(atom.attributes, name);
+        field->push_back(text ? number(*text, fmt::format("the {} of atom {}", name, atom.index), 0.0)
+                              : std::numeric_limits<double>::quiet_NaN());
+      }
+    }
+  }
+
+  void visit(const pml::MultiComponent& group, bool regions) {
+    const std::string* name = pml::find(group.attributes, "name");
+    regions = regions || (name && *name == "Regions");
+    for (const pml::MultiComponent& inner : group.components) visit(inner, regions);
+    for (const pml::StructuralComponent& component : group.structures) read_component(component, regions);
+  }
+
+  void read_component(const pml::StructuralComponent& component, bool is_region) {
+    const std::string* name = pml::find(component.attributes, "name");
+    if (!name || *name == "Node Neighborhoods") return;
+    if (*name == "abdomen")
+      mesh().abdomen = triangles(component, *name);
+    else if (*name == "lung")
+      mesh().lung = triangles(component, *name);
+    else if (*name == "muscle_lines")
+      read_muscle_lines(component);
+    else if (auto particles = atoms_of(component); !particles.empty())
+      add_named(*name, std::move(particles), component.attributes, is_region);
+  }
+
+  std::vector<Triangle> triangles(const pml::StructuralComponent& component, const std::string& name) const {
+    std::vector<Triangle> result;
+    for (const auto& item : component.items) {
+      const auto* cell = std::get_if<pml::Cell>(&item);
+      if (!cell || cell->type != "TRIANGLE")
+        fail(fmt::format("component '{}' has something else than TRIANGLE cells", name));
+      const auto at = [&](std::size_t k) { return static_cast<int>(cell->atoms[k]); };
+      result.push_back({at(0), at(1), at(2)});
+    }
+    return result;
+  }
+
+  void read_muscle_lines(const pml::StructuralComponent& component) {
+    for (const auto& item : component.items) {
+      const auto* cell = std::get_if<pml::Cell>(&item);
+      if (!cell || cell->type != "POLY_LINE") fail("component 'muscle_lines' has something else than POLY_LINE cells");
+      mesh().muscle_lines.emplace_back(cell->atoms.begin(), cell->atoms.end());
+    }
+    if (const std::string* strength = pml::find(component.attributes, "strength"))
+      mesh().given.fibre_strength = number(*strength, "the strength of muscle_lines", 0.0);
+  }
+
+  static std::vector<int> atoms_of(const pml::StructuralComponent& component) {
+    std::vector<int> particles;
+    for (const auto& item : component.items)
+      if (const auto* atom = std::get_if<pml::AtomReference>(&item)) particles.push_back(static_cast<int>(atom->index));
+    return particles;
+  }
+
+  void add_named(const std::string& name, std::vector<int> particles, const pml::Attributes& attributes,
+                 bool is_region) {
+    Regions& regions = is_region ? mesh().regions : mesh().landmarks;
+    if (!mesh().named(name).empty()) fail(fmt::format("component '{}' occurs twice, expected one of each name", name));
+    regions[name] = std::move(particles);
+    const std::string* motion = pml::find(attributes, "rigid");
+    if (!motion) return;
+    if (*motion != "fixed" && *motion != "free")
+      fail(fmt::format("component '{}' has rigid=\"{}\", expected fixed or free (a driven one is a [[rigid]] of the "
+                       "scenario)",
+                       name, *motion));
+    RigidPart part;
+    part.region = name;
+    part.motion = *motion == "free" ? RigidBody::Motion::free : RigidBody::Motion::fixed;
+    if (const std::string* facing = pml::find(attributes, "surfaceFor")) part.surface_for = *facing;
+    part.origin = file_;
+    result_.rigid.push_back(std::move(part));
+  }
+
+  const pml::PhysicalModel& model_;
+  const std::string& file_;
+  TrunkFile result_;
+};
+
+}  // namespace
+
+TrunkFile trunk_of_pml(const std::string& text, const std::string& name) {
+  return Reader(pml::read_pml(text, name), name).read();
 }
+
+TrunkFile read_trunk_pml(const std::filesystem::path& path) {
+  return trunk_of_pml(read_text_file(path, largest_file), path.string());
+}
+
 }  // namespace trunk

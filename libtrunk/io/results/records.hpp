@@ -49,6 +49,8 @@ struct Trajectory {
   std::vector<double> mass_kg;                         ///< [N] or empty
   std::vector<std::int32_t> region;                    ///< [N] or empty; index in region_names
   std::vector<std::string> region_names;               //
+  std::vector<std::int32_t> rigid;                     ///< [N] or empty; index in rigid_names
+  std::vector<std::string> rigid_names;                ///< the first: carried by no rigid component
   std::vector<std::array<std::int32_t, 3>> triangles;  ///< [M]
   std::vector<std::int32_t> triangle_component;        ///< [M] or empty; index in component_names
   std::vector<std::string> component_names;            //
@@ -60,6 +62,7 @@ struct Trajectory {
 struct RunRecord {
   std::string title, status, message;
   std::string scenario_toml;           ///< verbatim
+  std::string trunk_pml;               ///< the trunk where it came from a file; "" for the parametric one
   std::vector<NamedValue> parameters;  ///< resolved, in natural units
   std::vector<NamedValue> measures;    //
   Trajectory trajectory;               //

@@ -41,6 +41,18 @@ std::vector<NamedValue> read_parameters(const std::filesystem::path& path) {
   return parameters;
 }
 
+RunInputs read_run_inputs(const std::filesystem::path& path) {
+  RunInputs inputs;
+  layout::read_results(path, [&](hid_t root, const std::string& kind) {
+    if (kind == "sweep") throw InputError(path.string(), 0, "is a sweep, expected a run or a fit");
+    const std::string parameters = kind == "run" ? "parameters/" : "best_run/parameters/";
+    inputs.scenario_toml = hdf5::read_text(root, parameters + "scenario_toml");
+    if (hdf5::has_link(root, parameters + "trunk_pml"))
+      inputs.trunk_pml = hdf5::read_text(root, parameters + "trunk_pml");
+  });
+  return inputs;
+}
+
 RunSummary read_run_summary(const std::filesystem::path& path) {
   RunSummary run;
   layout::read_results(path, [&](hid_t root, const std::string& kind) {

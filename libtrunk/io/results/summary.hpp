@@ -22,6 +22,15 @@ bool is_complete(const std::filesystem::path& path);
 /// The parameters of a run, or the best ones of a fit. Throws InputError for anything else.
 std::vector<NamedValue> read_parameters(const std::filesystem::path& path);
 
+/// What a run, or the best run of a fit, can be repeated from.
+struct RunInputs {
+  std::string scenario_toml;
+  std::string trunk_pml;  ///< "" for the parametric trunk
+};
+
+/// Throws InputError when the file is neither a finished run nor a finished fit.
+RunInputs read_run_inputs(const std::filesystem::path& path);
+
 /// Throws InputError when the file is not a finished run, or is damaged in what is read.
 RunSummary read_run_summary(const std::filesystem::path& path);
 

@@ -72,6 +72,11 @@ void write_particles(hid_t group, const Trajectory& trajectory) {
                             {frames.particle}),
                 trajectory.region_names);
   }
+  if (!trajectory.rigid.empty()) {
+    write_flags(write_array(frames.particles, {"rigid", "1", "rigid component that carries the particle"},
+                            trajectory.rigid, {frames.particle}),
+                trajectory.rigid_names);
+  }
 }
 
 template <std::size_t Corners>
