@@ -33,9 +33,9 @@ ABDOMEN, SOFTENING = (0.4, 0.8, 1.6, 3.2), (1.0, 0.7, 0.5, 0.3, 0.1)
 DEFAULT_ABDOMEN, DEFAULT_SOFTENING = 0.8, 0.5  # those of scenarios/healthy.toml and hemiparalysis_right.toml
 LONGEST_STEP_MS, HALVINGS = 1.0, 2
 SAME_MM, SAME_PRESSURE = 0.1, 0.05  # a run counts when half the time step changes it by no more than this
+PRESSURE = "abdominal_pressure_peak_cmH2O"
 MEASURES = {"delta_v_ml": "delta_v_ml", "excursion_right_mm": "right_dome_descends_mm",
-            "excursion_left_mm": "left_dome_descends_mm", "abdominal_pressure_peak_cmH2O": "abdominal_pressure_peak_cmH2O",
-            "flipped_triangles": "flipped_triangles"}
+            "excursion_left_mm": "left_dome_descends_mm", PRESSURE: PRESSURE, "flipped_triangles": "flipped_triangles"}
 HELD = "".join(f'[[displacement]]\nregion = "costal_insertion"\ndirection = {d}\nevents_mm = [[0, 0]]\n'
                for d in ([1, 0, 0], [0, 1, 0], [0, 0, 1]))
 
@@ -50,7 +50,8 @@ class Trunk:
     reaction: str = "variational"
 
     def scenario(self):
-        return (f'schema = "trunk.scenario/1"\nextends = {json.dumps(str(ROOT / "scenarios" / BREATHS[self.breath][0]))}\n'
+        extended = json.dumps(str(ROOT / "scenarios" / BREATHS[self.breath][0]))
+        return (f'schema = "trunk.scenario/1"\nextends = {extended}\n'
                 f'[parameters]\nabdomen_stiffness_factor = {self.abdomen}\n'
                 f'[tissue]\nfibres = "{self.fibres}"\nreaction = "{self.reaction}"\n'
                 f'ribs = {"true" if self.costal_ring == "ribs" else "false"}\n'
@@ -94,8 +95,7 @@ class Program:
         half, _ = self("simulate", scenario, *settings, "--set", f"time.dt_ms={step_ms / 2}")
         same = half and all(abs(half[f"excursion_{side}_mm"] - run[f"excursion_{side}_mm"]) <= SAME_MM
                             for side in ("right", "left"))
-        pressure = "abdominal_pressure_peak_cmH2O"
-        same = same and abs(half[pressure] / run[pressure] - 1) <= SAME_PRESSURE
+        same = same and abs(half[PRESSURE] / run[PRESSURE] - 1) <= SAME_PRESSURE
         return run, "completed" if same else "depends on the time step"
 
     def runs(self, trunk, softenings):
@@ -155,7 +155,8 @@ def markdown(rows):
              ("abdominal wall 1.6", {"abdomen_stiffness_factor": 1.6}),
              ("fibres end at the top of the zone of apposition", {"fibres": "apposition_top"}),
              ("reaction as published", {"reaction": "published"}),
-             ("reaction as published, paralysed half at 0.1", {"reaction": "published", "paralysed_stiffness_factor": 0.1})]
+             ("reaction as published, paralysed half at 0.1",
+              {"reaction": "published", "paralysed_stiffness_factor": 0.1})]
     default = {"costal_ring": "ribs", "abdomen_stiffness_factor": DEFAULT_ABDOMEN, "fibres": "tendon_border",
                "reaction": "variational", "paralysed": "right", "paralysed_stiffness_factor": DEFAULT_SOFTENING}
     text = ["| | quiet: ΔV | paralysed dome | other dome | exercise: ΔV | paralysed dome | other dome |",
@@ -166,8 +167,8 @@ def markdown(rows):
             wanted = default | change | {"breath": breath}
             found = [row for row in rows if all(row[name] == value for name, value in wanted.items())]
             if found and found[0]["status"] == "completed":
-                cells += [f"{found[0]['delta_v_of_healthy_percent']:.0f} %",
-                          f"{found[0]['right_dome_descends_mm']:+.1f} mm", f"{found[0]['left_dome_descends_mm']:+.1f} mm"]
+                right, left = (found[0][f"{side}_dome_descends_mm"] for side in ("right", "left"))
+                cells += [f"{found[0]['delta_v_of_healthy_percent']:.0f} %", f"{right:+.1f} mm", f"{left:+.1f} mm"]
             else:
                 cells += [""] * 3
         if any(cells):
@@ -216,11 +217,13 @@ def plot(rows, path):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("-o", "--output", type=pathlib.Path, required=True, metavar="DIR", help="folder for the results")
-    parser.add_argument("--trunk", type=pathlib.Path, default=ROOT / "build" / "trunk", help="the program [build/trunk]")
+    parser.add_argument("-o", "--output", type=pathlib.Path, required=True, metavar="DIR",
+                        help="folder for the results")
+    parser.add_argument("--trunk", type=pathlib.Path, default=ROOT / "build" / "trunk",
+                        help="the program [build/trunk]")
     parser.add_argument("-j", "--jobs", type=int, default=os.cpu_count(), metavar="N", help="at once [one a core]")
     parser.add_argument("--quick", action="store_true",
-                        help="quiet breathing at the defaults alone, with and without ribs, in steps of 3 ms; no picture")
+                        help="quiet breathing at the defaults, with and without ribs, in steps of 3 ms; no picture")
     arguments = parser.parse_args()
     if not os.access(arguments.trunk, os.X_OK):
         parser.error(f"{arguments.trunk} is not a program; build it, or name it by --trunk")
