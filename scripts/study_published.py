@@ -66,14 +66,15 @@ def run(program, scenario, settings, tidal_ml, output):
 
 
 def markdown(base, groups, target):
+    shape = ("delta_l_mm", "delta_h_mm", "delta_r_mm")
     lines = ["| | range | ΔL mm | ΔH mm | ΔR mm | left out |", "|---|---|---|---|---|---|",
              "| published row | | " + " | ".join(target[name] for name in ("dl_mm", "dh_mm", "dr_mm")) + " | |",
              "| scenario as it is | | "
-             + " | ".join(f"{base[name]:.1f}" if base[name] is not None else "" for name in ("delta_l_mm", "delta_h_mm", "delta_r_mm")) + " | |"]
+             + " | ".join("" if base[name] is None else f"{base[name]:.1f}" for name in shape) + " | |"]
     for (keys, values), rows in groups:
         good = [row for row in rows if row["status"] == "completed"]
         spans = [f"{good[0][name]:.1f} … {good[-1][name]:.1f}" if good else ""
-                 for name in ("delta_l_mm", "delta_h_mm", "delta_r_mm")]
+                 for name in shape]
         lines.append(f"| {keys[0].split('.')[1]} | {values[0]} … {values[-1]} | " + " | ".join(spans)
                      + f" | {len(rows) - len(good) or ''} |")
     return "\n".join(lines)
