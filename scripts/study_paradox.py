@@ -1,0 +1,246 @@
+#!/usr/bin/python3
+"""Which ingredients does the rise of a paralysed hemidiaphragm need?
+
+Simulates healthy and right-paralysed trunks with and without ribs, over the stiffness of the abdominal wall and of
+the paralysed half, in quiet and exercise breathing; then, at the defaults, changes one ingredient at a time. For every
+trunk k_muscle is first fitted on the healthy twin to the same tidal volume, and every run is repeated with half the
+time step. Writes paradox.csv (all runs) and paradox.png (runs that hold their own at half the step; marker size and
+orange numbers are the elasticity left in the paralysed half), prints the Markdown table of README.md. A few minutes.
+
+    scripts/study_paradox.py -o reference
+"""
+
+import argparse
+import concurrent.futures
+import csv
+import dataclasses
+import itertools
+import json
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt  # noqa: E402  (the backend comes first)
+
+ROOT = pathlib.Path(__file__).resolve().parents[1]
+BREATHS = {"quiet": ("healthy.toml", 466), "exercise": ("exercise_healthy.toml", 1200)}  # scenario, healthy ml
+ABDOMEN, SOFTENING = (0.4, 0.8, 1.6, 3.2), (1.0, 0.7, 0.5, 0.3, 0.1)
+DEFAULT_ABDOMEN, DEFAULT_SOFTENING = 0.8, 0.5  # those of scenarios/healthy.toml and hemiparalysis_right.toml
+LONGEST_STEP_MS, HALVINGS = 1.0, 2
+SAME_MM, SAME_PRESSURE = 0.1, 0.05  # a run counts when half the time step changes it by no more than this
+PRESSURE = "abdominal_pressure_peak_cmH2O"
+MEASURES = {"delta_v_ml": "delta_v_ml", "excursion_right_mm": "right_dome_descends_mm",
+            "excursion_left_mm": "left_dome_descends_mm", PRESSURE: PRESSURE, "flipped_triangles": "flipped_triangles"}
+HELD = "".join(f'[[displacement]]\nregion = "costal_insertion"\ndirection = {d}\nevents_mm = [[0, 0]]\n'
+               for d in ([1, 0, 0], [0, 1, 0], [0, 0, 1]))
+
+
+@dataclasses.dataclass(frozen=True)
+class Trunk:
+    """A healthy trunk. costal_ring: "ribs" (held, and the zone of apposition kept inside), "held" alone, or "free"."""
+    breath: str
+    costal_ring: str = "ribs"
+    abdomen: float = DEFAULT_ABDOMEN
+    fibres: str = "tendon_border"
+    reaction: str = "variational"
+
+    def scenario(self):
+        extended = json.dumps(str(ROOT / "scenarios" / BREATHS[self.breath][0]))
+        return (f'schema = "trunk.scenario/1"\nextends = {extended}\n'
+                f'[parameters]\nabdomen_stiffness_factor = {self.abdomen}\n'
+                f'[tissue]\nfibres = "{self.fibres}"\nreaction = "{self.reaction}"\n'
+                f'ribs = {"true" if self.costal_ring == "ribs" else "false"}\n'
+                + (HELD if self.costal_ring == "held" else ""))
+
+
+def trunks(quick):
+    if quick:
+        return [Trunk("quiet", ring) for ring in ("ribs", "free")]
+    grid = [Trunk(breath, ring, abdomen) for breath, ring, abdomen in
+            itertools.product(BREATHS, ("ribs", "free"), ABDOMEN)]
+    alone = [Trunk(breath, **change) for breath in BREATHS for change in
+             ({"costal_ring": "held"}, {"fibres": "apposition_top"}, {"reaction": "published"})]
+    return grid + alone
+
+
+class Program:
+    """`trunk` in a folder of its own; every failure is a word of status, never an exception."""
+
+    def __init__(self, path, folder, longest_step_ms):
+        self.path, self.folder, self.longest_step_ms = path, pathlib.Path(folder), longest_step_ms
+        self.count = itertools.count()
+
+    def __call__(self, *arguments):
+        output = self.folder / f"{next(self.count)}.h5"
+        done = subprocess.run([self.path, *map(str, arguments), "-o", output, "--json"], capture_output=True, text=True)
+        output.unlink(missing_ok=True)
+        if done.returncode == 0:
+            return json.loads(done.stdout), "completed"
+        if done.returncode == 3:
+            return None, "diverged or not converged"
+        if "step" in done.stderr:
+            return None, "time step unstable"
+        sys.exit(f"{' '.join(map(str, done.args))}: exit {done.returncode}: {done.stderr.strip()}")
+
+    def checked(self, scenario, step_ms, *settings):
+        """A run, and in its status whether half the time step gives the same."""
+        run, status = self("simulate", scenario, *settings, "--set", f"time.dt_ms={step_ms}")
+        if not run:
+            return run, status
+        half, _ = self("simulate", scenario, *settings, "--set", f"time.dt_ms={step_ms / 2}")
+        same = half and all(abs(half[f"excursion_{side}_mm"] - run[f"excursion_{side}_mm"]) <= SAME_MM
+                            for side in ("right", "left"))
+        same = same and abs(half[PRESSURE] / run[PRESSURE] - 1) <= SAME_PRESSURE
+        return run, "completed" if same else "depends on the time step"
+
+    def runs(self, trunk, softenings):
+        """Rows of one trunk: k_muscle fitted on the healthy one, then its paralysed twins. Halves the time step as
+        long as one of them fails."""
+        scenario = self.folder / f"{next(self.count)}.toml"
+        scenario.write_text(trunk.scenario(), encoding="utf-8")
+        for halving in range(HALVINGS + 1):
+            step_ms = self.longest_step_ms / 2**halving
+            rows = self.runs_at(trunk, scenario, softenings, step_ms)
+            if all(row["delta_v_ml"] is not None for row in rows):
+                break
+        return rows
+
+    def runs_at(self, trunk, scenario, softenings, step_ms):
+        common = {"breath": trunk.breath, "costal_ring": trunk.costal_ring, "abdomen_stiffness_factor": trunk.abdomen,
+                  "fibres": trunk.fibres, "reaction": trunk.reaction, "dt_ms": step_ms}
+        step = ("--set", f"time.dt_ms={step_ms}")
+        fit, status = self("fit", scenario, "--tidal-volume-ml", BREATHS[trunk.breath][1], "--free", "k_muscle", *step)
+        k_muscle = fit["parameters"]["k_muscle"]["value"] if fit else None
+        healthy, rows = None, []
+        for softening in (None, *softenings):
+            run = None
+            if fit:
+                paralysis = ("--set", "paralysis.side=right", "--set", f"paralysis.stiffness_factor={softening}")
+                run, status = self.checked(scenario, step_ms, "--set", f"parameters.k_muscle_N_per_m={k_muscle!r}",
+                                           *(paralysis if softening is not None else ()))
+            healthy = run if softening is None else healthy
+            ratio = 100 * run["delta_v_ml"] / healthy["delta_v_ml"] if run and healthy else None
+            rows.append(common | {"paralysed": "no" if softening is None else "right",
+                                  "paralysed_stiffness_factor": softening, "k_muscle_N_per_m": k_muscle,
+                                  "delta_v_of_healthy_percent": ratio, "status": status}
+                        | {name: run[key] if run else None for key, name in MEASURES.items()})
+        return rows
+
+
+def write_csv(rows, path):
+    columns = ["breath", "costal_ring", "abdomen_stiffness_factor", "fibres", "reaction", "paralysed",
+               "paralysed_stiffness_factor", "k_muscle_N_per_m", *MEASURES.values(), "delta_v_of_healthy_percent",
+               "dt_ms", "status"]
+    with open(path, "w", newline="", encoding="utf-8") as file:
+        writer = csv.DictWriter(file, columns, lineterminator="\n")
+        writer.writeheader()
+        for row in rows:
+            writer.writerow({c: f"{v:.5g}" if isinstance(v := row[c], float) else v for c in columns})
+
+
+def markdown(rows):
+    lines = [("all of it: ribs, abdominal wall 0.8, paralysed half at 0.5", {}),
+             ("no ribs", {"costal_ring": "free"}),
+             ("costal insertion held, zone of apposition free", {"costal_ring": "held"}),
+             ("no ribs, abdominal wall 3.2, paralysed half at 0.1",
+              {"costal_ring": "free", "abdomen_stiffness_factor": 3.2, "paralysed_stiffness_factor": 0.1}),
+             ("paralysed half not softer", {"paralysed_stiffness_factor": 1.0}),
+             ("paralysed half at 0.1", {"paralysed_stiffness_factor": 0.1}),
+             ("abdominal wall 0.4", {"abdomen_stiffness_factor": 0.4}),
+             ("abdominal wall 1.6", {"abdomen_stiffness_factor": 1.6}),
+             ("fibres end at the top of the zone of apposition", {"fibres": "apposition_top"}),
+             ("reaction as published", {"reaction": "published"}),
+             ("reaction as published, paralysed half at 0.1",
+              {"reaction": "published", "paralysed_stiffness_factor": 0.1})]
+    default = {"costal_ring": "ribs", "abdomen_stiffness_factor": DEFAULT_ABDOMEN, "fibres": "tendon_border",
+               "reaction": "variational", "paralysed": "right", "paralysed_stiffness_factor": DEFAULT_SOFTENING}
+    text = ["| | quiet: ΔV | paralysed dome | other dome | exercise: ΔV | paralysed dome | other dome |",
+            "|---|---|---|---|---|---|---|"]
+    for label, change in lines:
+        cells = []
+        for breath in BREATHS:
+            wanted = default | change | {"breath": breath}
+            found = [row for row in rows if all(row[name] == value for name, value in wanted.items())]
+            if found and found[0]["status"] == "completed":
+                right, left = (found[0][f"{side}_dome_descends_mm"] for side in ("right", "left"))
+                cells += [f"{found[0]['delta_v_of_healthy_percent']:.0f} %", f"{right:+.1f} mm", f"{left:+.1f} mm"]
+            else:
+                cells += [""] * 3
+        if any(cells):
+            text.append(f"| {label} | " + " | ".join(cells) + " |")
+    return "\n".join(text)
+
+
+def plot(rows, path):
+    # Okabe and Ito's palette, told apart by colour-blind readers; ribs are told apart by marker and line.
+    colours = dict(zip(ABDOMEN, ("#E69F00", "#D55E00", "#0072B2", "#000000")))
+    styles = {"ribs": ("o", "-", "ribs"), "free": ("^", ":", "no ribs")}
+    figure, axes = plt.subplots(1, 2, figsize=(10, 5.2))
+    figure.subplots_adjust(left=0.075, right=0.985, top=0.94, bottom=0.27)
+    for axis, (breath, (_, volume_ml)) in zip(axes, BREATHS.items()):
+        for (ring, (marker, line, _)), (abdomen, colour) in itertools.product(styles.items(), colours.items()):
+            series = [row for row in rows if (row["breath"], row["costal_ring"], row["abdomen_stiffness_factor"])
+                      == (breath, ring, abdomen) and row["paralysed"] == "right" and row["status"] == "completed"
+                      and (row["fibres"], row["reaction"]) == ("tendon_border", "variational")]
+            x = [row["delta_v_of_healthy_percent"] for row in series]
+            y = [row["right_dome_descends_mm"] for row in series]
+            sizes = [14 + 50 * row["paralysed_stiffness_factor"] for row in series]
+            axis.plot(x, y, color=colour, ls=line, lw=1)
+            axis.scatter(x, y, sizes, color=colour, marker=marker, edgecolors="white", linewidths=0.5, zorder=3)
+            if ring == "ribs" and abdomen == DEFAULT_ABDOMEN:
+                for row, a, b in zip(series, x, y):
+                    axis.annotate(f"{row['paralysed_stiffness_factor']:g}", (a, b), (6, 5),
+                                  textcoords="offset points", fontsize=8, color=colour)
+        axis.axhline(0, color="#666666", lw=0.8)
+        bottom, top = axis.get_ylim()
+        left, right = axis.get_xlim()
+        axis.fill_between([40, 60], min(bottom, -2), -1, color="#009E73", alpha=0.18, lw=0)
+        axis.set(ylim=(top, min(bottom, -2)), xlim=(left, right),  # up is up
+                 title=f"{breath} breathing, healthy ΔV {volume_ml} ml",
+                 xlabel="ΔV of the paralysed over the healthy trunk (%)",
+                 ylabel="paralysed dome descends (mm; negative: it rises)")
+    keys = [plt.Line2D([], [], color="#666666", marker=m, ls=line, label=label) for m, line, label in styles.values()]
+    keys += [plt.Line2D([], [], color=colour, lw=3, label=f"abdominal wall {abdomen:g} of muscle stiffness")
+             for abdomen, colour in colours.items()]
+    keys += [plt.Line2D([], [], color="#666666", marker="o", ls="", markersize=(14 + 50 * s) ** 0.5,
+                        label=f"paralysed half at {s:g}") for s in (SOFTENING[0], SOFTENING[-1])]
+    keys.append(plt.Rectangle((0, 0), 1, 1, color="#009E73", alpha=0.18, label="40–60 % and at least 1 mm up"))
+    figure.legend(handles=keys, loc="lower center", ncols=3, frameon=False, fontsize="small")
+    figure.savefig(path, dpi=110)
+    plt.close(figure)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("-o", "--output", type=pathlib.Path, required=True, metavar="DIR",
+                        help="folder for the results")
+    parser.add_argument("--trunk", type=pathlib.Path, default=ROOT / "build" / "trunk",
+                        help="the program [build/trunk]")
+    parser.add_argument("-j", "--jobs", type=int, default=os.cpu_count(), metavar="N", help="at once [one a core]")
+    parser.add_argument("--quick", action="store_true",
+                        help="quiet breathing at the defaults, with and without ribs, in steps of 3 ms; no picture")
+    arguments = parser.parse_args()
+    if not os.access(arguments.trunk, os.X_OK):
+        parser.error(f"{arguments.trunk} is not a program; build it, or name it by --trunk")
+    if arguments.jobs < 1:
+        parser.error("--jobs must be 1 or more")
+    arguments.output.mkdir(parents=True, exist_ok=True)
+    softenings = (DEFAULT_SOFTENING,) if arguments.quick else SOFTENING
+    with tempfile.TemporaryDirectory() as folder:
+        program = Program(arguments.trunk.resolve(), folder, 3.0 if arguments.quick else LONGEST_STEP_MS)
+        with concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool:
+            rows = [row for group in pool.map(lambda trunk: program.runs(trunk, softenings), trunks(arguments.quick))
+                    for row in group]
+    write_csv(rows, arguments.output / "paradox.csv")
+    if not arguments.quick:
+        plot(rows, arguments.output / "paradox.png")
+    print(markdown(rows))
+
+
+if __name__ == "__main__":
+    main()

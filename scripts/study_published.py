@@ -1,0 +1,124 @@
+#!/usr/bin/python3
+"""How near does the published model, on our mesh, come to its own row of Table 1, and which of the things that the
+paper does not tell matters?
+
+Takes a scenario, changes one key at a time over its range, fits k_muscle to the tidal volume of the row each time, and
+prints as Markdown over what range the shape changes go; runs that failed or turned triangles over are left out and
+counted. All runs go to a CSV file. A few minutes.
+
+    scripts/study_published.py -o published.csv
+    scripts/study_published.py --set tissue.fibres=tendon_border -o published.csv
+"""
+
+import argparse
+import concurrent.futures
+import csv
+import itertools
+import json
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+ROOT = pathlib.Path(__file__).resolve().parents[1]
+DOMES = ("geometry.dome_height_right_mm", "geometry.dome_height_left_mm")
+RANGES = [  # keys that change together, values
+    (("parameters.abdomen_stiffness_factor",), (0.1, 0.3, 0.6, 1, 1.5, 3)),
+    (("tissue.tendon_stiffness_factor",), (1, 2, 5, 10)),
+    (("parameters.k_elasticity_N_per_m",), (1000, 2000, 4000, 8000, 16000)),
+    (("parameters.damping_N_s_per_m",), (10, 20, 50, 100)),
+    (("tissue.particle_mass_kg",), (0.05, 0.1, 0.2, 0.5)),
+    (DOMES, (30, 50, 70, 90)),
+    (("geometry.abdomen_height_mm",), (120, 150, 200, 250, 300)),
+    (("geometry.apposition_length_mm",), (100, 130, 149, 162.7, 200)),
+    (("geometry.half_width_mm",), (130, 148, 160, 170)),
+    (("geometry.half_depth_mm",), (80, 90.5, 105, 120)),
+    (("activation.rise_s",), (1, 2, 3)),
+    (("tissue.fibres",), ("apposition_top", "tendon_border")),
+    (("tissue.reaction",), ("published", "variational")),
+]
+MEASURES = {"delta_v_ml": "ΔV ml", "delta_l_mm": "ΔL mm", "delta_l_percent": "ΔL %", "delta_h_mm": "ΔH mm",
+            "delta_r_mm": "ΔR mm"}
+
+
+def options(settings):
+    return [word for key, value in settings.items() for word in ("--set", f"{key}={value}")]
+
+
+def run(program, scenario, settings, tidal_ml, output):
+    """Measures of the scenario with k_muscle fitted, and a status; never an exception for a run that fails."""
+
+    def call(*arguments):
+        done = subprocess.run([program, *map(str, arguments), "-o", output, "--force", "--json"],
+                              capture_output=True, text=True)
+        if done.returncode not in (0, 3) and "step" not in done.stderr:
+            sys.exit(f"{' '.join(map(str, done.args))}: exit {done.returncode}: {done.stderr.strip()}")
+        return json.loads(done.stdout) if done.returncode == 0 else None
+
+    fit = call("fit", scenario, "--tidal-volume-ml", tidal_ml, "--free", "k_muscle", *options(settings))
+    k_muscle = {"parameters.k_muscle_N_per_m": repr(fit["parameters"]["k_muscle"]["value"])} if fit else {}
+    simulated = call("simulate", scenario, *options(settings | k_muscle)) if fit else None
+    output.unlink(missing_ok=True)
+    status = "failed" if not simulated else "triangles turned over" if simulated["flipped_triangles"] else "completed"
+    return {"k_muscle_N_per_m": float(*k_muscle.values()) if fit else None, "status": status,
+            **{name: simulated[name] if simulated else None for name in MEASURES}}
+
+
+def markdown(base, groups, target):
+    shape = ("delta_l_mm", "delta_h_mm", "delta_r_mm")
+    lines = ["| | range | ΔL mm | ΔH mm | ΔR mm | left out |", "|---|---|---|---|---|---|",
+             "| published row | | " + " | ".join(target[name] for name in ("dl_mm", "dh_mm", "dr_mm")) + " | |",
+             "| scenario as it is | | "
+             + " | ".join("" if base[name] is None else f"{base[name]:.1f}" for name in shape) + " | |"]
+    for (keys, values), rows in groups:
+        good = [row for row in rows if row["status"] == "completed"]
+        spans = [f"{good[0][name]:.1f} … {good[-1][name]:.1f}" if good else ""
+                 for name in shape]
+        lines.append(f"| {keys[0].split('.')[1]} | {values[0]} … {values[-1]} | " + " | ".join(spans)
+                     + f" | {len(rows) - len(good) or ''} |")
+    return "\n".join(lines)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("scenario", nargs="?", type=pathlib.Path, default=ROOT / "scenarios/published_healthy.toml",
+                        help="[scenarios/published_healthy.toml]")
+    parser.add_argument("-o", "--output", type=pathlib.Path, required=True, metavar="CSV", help="all runs")
+    parser.add_argument("--set", action="append", default=[], metavar="KEY=VALUE",
+                        help="over the scenario, in every run")
+    parser.add_argument("--only", action="append", metavar="KEY", help="change this key alone; may be repeated")
+    parser.add_argument("--trunk", type=pathlib.Path, default=ROOT / "build" / "trunk",
+                        help="the program [build/trunk]")
+    parser.add_argument("-j", "--jobs", type=int, default=os.cpu_count(), metavar="N", help="at once [one a core]")
+    arguments = parser.parse_args()
+    if not os.access(arguments.trunk, os.X_OK):
+        parser.error(f"{arguments.trunk} is not a program; build it, or name it by --trunk")
+    ranges = [group for group in RANGES if not arguments.only or set(group[0]) & set(arguments.only)]
+    if not ranges:
+        parser.error(f"--only: expected one of {', '.join(keys[0] for keys, _ in RANGES)}")
+    always = dict(word.split("=", 1) for word in arguments.set)
+    with open(ROOT / "reference/table1.csv", encoding="utf-8") as file:
+        table = csv.DictReader(line for line in file if not line.startswith("#"))
+        target = next(row for row in table if row["source"] == "published_model")
+    with tempfile.TemporaryDirectory() as folder, concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool:
+        count = itertools.count()
+
+        def start(settings):
+            output = pathlib.Path(folder) / f"{next(count)}.h5"
+            return pool.submit(run, arguments.trunk.resolve(), arguments.scenario, settings, target["dv_ml"], output)
+        base = start(always)
+        started = [[start(always | dict.fromkeys(keys, value)) for value in values] for keys, values in ranges]
+        base, groups = base.result(), [(group, [s.result() for s in row]) for group, row in zip(ranges, started)]
+    with open(arguments.output, "w", newline="", encoding="utf-8") as file:
+        writer = csv.DictWriter(file, ["key", "value", "k_muscle_N_per_m", *MEASURES, "status"], lineterminator="\n")
+        writer.writeheader()
+        for (keys, values), rows in [((("",), [""]), [base]), *groups]:
+            for value, row in zip(values, rows):
+                writer.writerow({"key": keys[0], "value": value}
+                                | {n: f"{v:.5g}" if isinstance(v, float) else v for n, v in row.items()})
+    print(markdown(base, groups, target))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,72 @@
+"""The study scripts run, and show what README.md says of them."""
+
+import csv
+import subprocess
+import unittest
+
+from support import PROGRAM, ROOT, TrunkTest
+
+SCRIPTS = ROOT / "scripts"
+COLUMNS = ["breath", "costal_ring", "abdomen_stiffness_factor", "fibres", "reaction", "paralysed",
+           "paralysed_stiffness_factor", "k_muscle_N_per_m", "delta_v_ml", "right_dome_descends_mm",
+           "left_dome_descends_mm", "abdominal_pressure_peak_cmH2O", "flipped_triangles",
+           "delta_v_of_healthy_percent", "dt_ms", "status"]
+
+
+class StudyTest(TrunkTest):
+    def study(self, script, *arguments):
+        return subprocess.run([SCRIPTS / script, *arguments], cwd=self.folder, capture_output=True, text=True,
+                              timeout=120)
+
+    def assert_no_program(self, script):
+        done = self.study(script, "--trunk", "nowhere", "-o", "study")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("nowhere is not a program", done.stderr)
+        self.assertNotIn("Traceback", done.stderr)
+
+
+class Paradox(StudyTest):
+    def test_the_paralysed_dome_rises_with_ribs_and_not_without(self):
+        done = self.study("study_paradox.py", "--quick", "--trunk", PROGRAM, "-o", "study")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertTrue(done.stdout.startswith("| "), done.stdout)
+        with open(self.folder / "study/paradox.csv", newline="", encoding="utf-8") as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual(list(rows[0]), COLUMNS)
+        self.assertEqual([row["status"] for row in rows], ["completed"] * 4)
+        for row in rows:
+            if row["paralysed"] == "no":
+                self.assertAlmostEqual(float(row["delta_v_ml"]), 466, delta=0.01)
+        paralysed = {row["costal_ring"]: row for row in rows if row["paralysed"] == "right"}
+        self.assertEqual(set(paralysed), {"ribs", "free"})
+        self.assertLess(float(paralysed["ribs"]["right_dome_descends_mm"]), -1)
+        self.assertGreater(float(paralysed["free"]["right_dome_descends_mm"]), 1)
+        for row in paralysed.values():
+            self.assertGreater(float(row["left_dome_descends_mm"]), 1)
+            self.assertTrue(40 < float(row["delta_v_of_healthy_percent"]) < 60, row)
+
+    def test_a_program_that_is_not_there(self):
+        self.assert_no_program("study_paradox.py")
+
+
+class Published(StudyTest):
+    def test_every_run_has_the_published_tidal_volume(self):
+        done = self.study("study_published.py", "--only", "tissue.reaction", "--set", "time.dt_ms=3",
+                          "--trunk", PROGRAM, "-o", "study.csv")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        with open(self.folder / "study.csv", newline="", encoding="utf-8") as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual([row["value"] for row in rows], ["", "published", "variational"])
+        for row in rows:
+            self.assertEqual(row["status"], "completed")
+            self.assertAlmostEqual(float(row["delta_v_ml"]), 438, delta=0.01)
+        shape = [[row[name] for name in ("delta_l_mm", "delta_h_mm", "delta_r_mm")] for row in rows]
+        self.assertEqual(shape[0], shape[1])  # the scenario's own reaction
+        self.assertNotEqual(shape[0], shape[2])
+
+    def test_a_program_that_is_not_there(self):
+        self.assert_no_program("study_published.py")
+
+
+if __name__ == "__main__":
+    unittest.main()
