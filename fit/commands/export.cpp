@@ -69,7 +69,8 @@ Exit export_command(const Common& common, const Request& request) {
 }  // namespace
 
 void add_export(CLI::App& app, Common& common, Run& run) {
-  auto* command = app.add_subcommand("export", "Write what a run or fit was made of in formats of other programs");
+  auto* command =
+      app.add_subcommand("export", "Write what a run or fit was made of in formats of other programs");
   const auto request = std::make_shared<Request>();
   command->add_option("FILE", request->file, "run or fit (HDF5); of a fit its best run")->required();
   command->add_option("--pml", request->pml_folder,

@@ -11,7 +11,8 @@ namespace trunk {
 ///  - force: N on each particle,
 ///  - displacement: m from rest, imposed along `axes`,
 ///  - acceleration: m/s2, as a force on each particle's mass,
-///  - pressure: Pa against the outer side of the triangles within the region, following them; with a direction, along
+///  - pressure: Pa against the outer side of the triangles within the region, following them; with a
+///  direction, along
 ///    that on their area at rest.
 struct RegionLoad {
   enum class Kind { force, displacement, acceleration, pressure };

@@ -48,7 +48,9 @@ RegionLoad region_load(const pml::Load& load, const std::string& file) {
       result.kind = Kind::pressure;
       break;
     case pml::Load::Type::rotation:
-      fail("a Rotation cannot be imposed on particles, expected a [[rigid]] part of the scenario with events_deg");
+      fail(
+          "a Rotation cannot be imposed on particles, expected a [[rigid]] part of the scenario with "
+          "events_deg");
   }
   const auto* axes = std::get_if<pml::Axes>(&load.direction);
   if (!axes) fail("a direction toward an atom is not simulated, expected x, y and z");
@@ -109,8 +111,7 @@ pml::Load load_of(const RegionLoad& load) {
 std::vector<RegionLoad> read_region_loads(const std::filesystem::path& path) {
   const std::string file = path.string();
   std::vector<RegionLoad> result;
-  for (const pml::Load& load : pml::read_lml(read_text_file(path, largest_file), file).loads)
-    try {
+  for (const pml::Load& load : pml::read_lml(read_text_file(path, largest_file), file).loads) try {
       result.push_back(region_load(load, file));
     } catch (const InputError& error) {
       if (std::string_view(error.what()).starts_with(file)) throw;

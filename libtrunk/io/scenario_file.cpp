@@ -149,8 +149,8 @@ class Reader {
   ScenarioFile& file_;
 };
 
-/// Takes over a trunk in place of the one read before; a rigid part that the scenario describes itself is not taken
-/// from it.
+/// Takes over a trunk in place of the one read before; a rigid part that the scenario describes itself is not
+/// taken from it.
 void adopt(TrunkFile trunk, const std::string& read_before, Scenario& scenario) {
   std::erase_if(scenario.rigid, [&](const RigidPart& part) { return part.origin == read_before; });
   scenario.mesh = std::make_shared<const TrunkMesh>(std::move(trunk.mesh));
@@ -189,7 +189,8 @@ ScenarioFile read_scenario(const std::filesystem::path& path, const std::vector<
   return file;
 }
 
-ScenarioFile scenario_of_text(const std::string& text, const std::string& name, const std::string& trunk_pml) {
+ScenarioFile scenario_of_text(const std::string& text, const std::string& name,
+                              const std::string& trunk_pml) {
   ScenarioFile file;
   file.path = name;
   file.text = text;

@@ -16,8 +16,8 @@ struct LoadKey {
 std::span<const LoadKey> load_keys();
 
 /// Reads the keys of a scenario that are not plain values: schema, extends (handled by the caller), gravity,
-/// the course of the abdominal volume, loads (also of an LML file) and [[rigid]] parts. Returns false for any other key.
-/// Throws InputError.
+/// the course of the abdominal volume, loads (also of an LML file) and [[rigid]] parts. Returns false for any
+/// other key. Throws InputError.
 bool read_special(const std::string& path, const toml::node& node, const TomlPlace& place,
                   Scenario& scenario);
 

@@ -26,7 +26,9 @@ class Reader {
     for (const auto& [name, found] :
          {std::pair{"abdomen", !mesh().abdomen.empty()}, std::pair{"lung", !mesh().lung.empty()},
           std::pair{"muscle_lines", !mesh().muscle_lines.empty()}})
-      if (!found) fail(fmt::format("there is no component '{}', expected a trunk as `trunk export --pml` writes it", name));
+      if (!found)
+        fail(fmt::format("there is no component '{}', expected a trunk as `trunk export --pml` writes it",
+                         name));
     try {
       const int particles = static_cast<int>(mesh().rest.size());
       Surface("abdomen", mesh().abdomen, particles);
@@ -52,15 +54,15 @@ class Reader {
     return value;
   }
 
-  double to_metres() const {
+  double units_per_metre() const {
     const std::string* unit = pml::find(model_.attributes, "unit");
-    if (!unit || *unit == "mm") return 1e-3;
+    if (!unit || *unit == "mm") return 1e3;
     if (*unit == "m") return 1.0;
     fail(fmt::format("the model's unit is '{}', expected mm or m", *unit));
   }
 
   void read_atoms() {
-    const double scale = to_metres();
+    const double per_metre = units_per_metre();
     if (const std::string* axes = pml::find(model_.attributes, "axes"); axes && *axes != "RAS")
       fail(fmt::format("the model's axes are '{}', expected RAS: right, forward, up", *axes));
     if (const std::string* fineness = pml::find(model_.attributes, "fineness"))
@@ -68,11 +70,14 @@ class Reader {
     TrunkMesh::Given& given = mesh().given;
     for (const pml::Atom& atom : model_.atoms) {
       if (atom.index != mesh().rest.size())
-        fail(fmt::format("atom {} follows {} others, expected the atoms of a trunk to be numbered 0, 1, 2 … in order",
-                         atom.index, mesh().rest.size()));
-      mesh().rest.push_back(scale * atom.position);
-      for (const auto& [name, field] : {std::pair{"mass", &given.mass}, std::pair{"stiffness", &given.stiffness},
-                                        std::pair{"damping", &given.damping}}) {
+        fail(fmt::format(
+            "atom {} follows {} others, expected the atoms of a trunk to be numbered 0, 1, 2 … in order",
+            atom.index, mesh().rest.size()));
+      const Vec3d& p = atom.position;  // divided: nearly always the number that was written
+      mesh().rest.push_back({p.x() / per_metre, p.y() / per_metre, p.z() / per_metre});
+      for (const auto& [name, field] :
+           {std::pair{"mass", &given.mass}, std::pair{"stiffness", &given.stiffness},
+            std::pair{"damping", &given.damping}}) {
         const std::string* text = pml::find(atom.attributes, name);
         field->push_back(text ? number(*text, fmt::format("the {} of atom {}", name, atom.index), 0.0)
                               : std::numeric_limits<double>::quiet_NaN());
@@ -115,7 +120,8 @@ class Reader {
   void read_muscle_lines(const pml::StructuralComponent& component) {
     for (const auto& item : component.items) {
       const auto* cell = std::get_if<pml::Cell>(&item);
-      if (!cell || cell->type != "POLY_LINE") fail("component 'muscle_lines' has something else than POLY_LINE cells");
+      if (!cell || cell->type != "POLY_LINE")
+        fail("component 'muscle_lines' has something else than POLY_LINE cells");
       mesh().muscle_lines.emplace_back(cell->atoms.begin(), cell->atoms.end());
     }
     if (const std::string* strength = pml::find(component.attributes, "strength"))
@@ -125,21 +131,24 @@ class Reader {
   static std::vector<int> atoms_of(const pml::StructuralComponent& component) {
     std::vector<int> particles;
     for (const auto& item : component.items)
-      if (const auto* atom = std::get_if<pml::AtomReference>(&item)) particles.push_back(static_cast<int>(atom->index));
+      if (const auto* atom = std::get_if<pml::AtomReference>(&item))
+        particles.push_back(static_cast<int>(atom->index));
     return particles;
   }
 
   void add_named(const std::string& name, std::vector<int> particles, const pml::Attributes& attributes,
                  bool is_region) {
     Regions& regions = is_region ? mesh().regions : mesh().landmarks;
-    if (!mesh().named(name).empty()) fail(fmt::format("component '{}' occurs twice, expected one of each name", name));
+    if (!mesh().named(name).empty())
+      fail(fmt::format("component '{}' occurs twice, expected one of each name", name));
     regions[name] = std::move(particles);
     const std::string* motion = pml::find(attributes, "rigid");
     if (!motion) return;
     if (*motion != "fixed" && *motion != "free")
-      fail(fmt::format("component '{}' has rigid=\"{}\", expected fixed or free (a driven one is a [[rigid]] of the "
-                       "scenario)",
-                       name, *motion));
+      fail(fmt::format(
+          "component '{}' has rigid=\"{}\", expected fixed or free (a driven one is a [[rigid]] of the "
+          "scenario)",
+          name, *motion));
     RigidPart part;
     part.region = name;
     part.motion = *motion == "free" ? RigidBody::Motion::free : RigidBody::Motion::fixed;

@@ -26,7 +26,8 @@ pml::Cell cell_of(const char* type, const Indices& indices) {
   return {{}, type, {}, {}, {indices.begin(), indices.end()}};
 }
 
-pml::StructuralComponent surface_of(const char* name, const std::vector<Triangle>& triangles, bool volume_held) {
+pml::StructuralComponent surface_of(const char* name, const std::vector<Triangle>& triangles,
+                                    bool volume_held) {
   pml::StructuralComponent component{{{"name", name}, {"mode", "WIREFRAME_AND_SURFACE"}}, {}, {}};
   if (volume_held) component.attributes.push_back({"incompressibility", "true"});
   for (const Triangle& t : triangles) component.items.push_back(cell_of("TRIANGLE", t));
@@ -66,8 +67,8 @@ pml::StructuralComponent named(const std::string& name, const std::vector<int>& 
 
 }  // namespace
 
-std::string trunk_pml(const TrunkMesh& mesh, const TrunkMesh::Given& given, const std::vector<RigidPart>& rigid,
-                      const std::string& title) {
+std::string trunk_pml(const TrunkMesh& mesh, const TrunkMesh::Given& given,
+                      const std::vector<RigidPart>& rigid, const std::string& title) {
   pml::PhysicalModel model;
   model.attributes = {{"name", title}, {"unit", "mm"}, {"axes", "RAS"}, {"fineness", digits(mesh.fineness)}};
   model.atom_list_attributes = {{"name", "particles"}};
@@ -76,7 +77,8 @@ std::string trunk_pml(const TrunkMesh& mesh, const TrunkMesh::Given& given, cons
   pml::MultiComponent volumes{{{"name", "Enclosed Volumes"}}, {}, {}};
   volumes.structures = {surface_of("abdomen", mesh.abdomen, true), surface_of("lung", mesh.lung, false)};
   pml::MultiComponent regions{{{"name", "Regions"}}, {}, {}};
-  for (const auto& [name, particles] : mesh.regions) regions.structures.push_back(named(name, particles, rigid));
+  for (const auto& [name, particles] : mesh.regions)
+    regions.structures.push_back(named(name, particles, rigid));
   model.exclusive = {{{"name", "Exclusive Components"}}, {volumes, regions}, {neighbourhoods_of(mesh)}};
 
   pml::MultiComponent informative{{{"name", "Informative Components"}}, {}, {}};

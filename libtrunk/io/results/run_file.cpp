@@ -68,7 +68,8 @@ void layout::write_run_content(hid_t group, const RunRecord& run) {
   write_numbers(create_group(group, "measures"), run.measures);
   const Group parameters = create_group(group, "parameters");
   write_text(parameters, {"scenario_toml", "", "the scenario as it was given"}, run.scenario_toml);
-  if (!run.trunk_pml.empty()) write_text(parameters, {"trunk_pml", "", "the trunk as it was given"}, run.trunk_pml);
+  if (!run.trunk_pml.empty())
+    write_text(parameters, {"trunk_pml", "", "the trunk as it was given"}, run.trunk_pml);
   write_numbers(parameters, run.parameters);
 }
 

@@ -169,6 +169,17 @@ std::vector<std::string> read_texts(hid_t group, const std::string& path) {
   return read_text_copy(open_dataset(group, path), path);
 }
 
+std::string read_text(hid_t group, const std::string& path) {
+  const Dataset dataset = open_dataset(group, path);
+  const Type type(H5Dget_type(dataset), "read the type of " + path);
+  if (!is_fixed_text(type)) throw Error(path + " is not a text");
+  const Type native(H5Tget_native_type(type, H5T_DIR_DEFAULT), "read the type of " + path);
+  const auto block = read_as<char>(dataset, native, path);
+  std::string text = up_to_padding(block.data(), block.size());
+  require_hash(dataset, path, text);
+  return text;
+}
+
 void verify(hid_t dataset, const std::string& path) {
   const Type type(H5Dget_type(dataset), "read the type of " + path);
   if (H5Tis_variable_str(type) > 0) {

@@ -26,6 +26,8 @@ std::vector<hsize_t> shape_of(hid_t dataset);
 
 /// All values, row-major.
 std::vector<double> read_doubles(hid_t group, const std::string& path);
+/// One text; throws Error where its checksum does not agree.
+std::string read_text(hid_t group, const std::string& path);
 std::vector<std::string> read_texts(hid_t group, const std::string& path);
 
 /// Reads a dataset through, so that its checksums are tested, and forgets the values.
