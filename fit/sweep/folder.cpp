@@ -7,6 +7,7 @@
 
 #include "errors/input_error.hpp"
 #include "io/text_file.hpp"
+#include "io/trunk_pml.hpp"
 #include "recording/provenance.hpp"
 #include "results/sha256.hpp"
 #include "results/target_file.hpp"
@@ -20,7 +21,11 @@ namespace fs = std::filesystem;
 std::string fingerprint_of(const SweepDesign& design) {
   const Provenance program = provenance_of({}, "");
   std::string all = program.version + program.git_sha + (program.git_dirty ? "+" : "") + design.text;
-  for (const auto& scenario : design.scenarios) all += to_toml(read_scenario(scenario).scenario);
+  for (const auto& file : design.scenarios) {
+    const Scenario scenario = read_scenario(file).scenario;
+    all += to_toml(scenario);
+    if (scenario.mesh) all += trunk_pml(scenario);
+  }
   return fmt::format("{}\n{}\n", design.runs(), sha256_of_text(all));
 }
 

@@ -30,6 +30,9 @@ RegionLoad load_of(const toml::table& table, const LoadKey& keys, const TomlPlac
       load.region = *value.value_exact<std::string>();
     } else if (key == "direction") {
       load.direction = direction_of(value, kind + ".direction", at);
+      const bool may_be_zero = keys.kind == RegionLoad::Kind::displacement;  // it may hold axes instead
+      if (!may_be_zero && dot(load.direction, load.direction) == 0.0)
+        at.fail(kind + ".direction is zero, expected a direction");
     } else if (key == "axes" && keys.kind == RegionLoad::Kind::displacement) {
       load.axes = without_magnitude(direction_of(value, kind + ".axes", at));
       has_axes = true;

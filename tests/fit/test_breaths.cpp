@@ -17,20 +17,20 @@ using Catch::Matchers::Contains;
 
 namespace {
 
-struct Shape {
+struct SyntheticShape {
   double tidal_volume_m3 = 500e-6, inspiration_s = 1.5, expiration_s = 2.0, pause_s = 0.5;
   double duration() const { return inspiration_s + expiration_s + pause_s; }
 };
 
 // Volume t after the onset of a breath: half a cosine up, half a cosine down, rest.
-double volume_in(const Shape& breath, double t) {
+double volume_in(const SyntheticShape& breath, double t) {
   const double up = t / breath.inspiration_s, down = (t - breath.inspiration_s) / breath.expiration_s;
   const double phase = up < 1 ? up : std::max(1 - down, 0.0);
   return breath.tidal_volume_m3 * 0.5 * (1 - std::cos(std::numbers::pi * phase));
 }
 
 struct Record {
-  std::vector<Shape> breaths = std::vector<Shape>(6);
+  std::vector<SyntheticShape> breaths = std::vector<SyntheticShape>(6);
   double rate_hz = 100;
   double skip_s = 0;      // cut from the start, inside the first breath
   double cut_s = 0;       // cut from the end, inside the last breath
@@ -100,7 +100,7 @@ void check_found(const Segmentation& found, const Record& record, std::size_t fi
   for (std::size_t i = 0; i < count; ++i) {
     CAPTURE(i);
     const Breath& breath = found.breaths[i];
-    const Shape& shape = record.breaths[first + i];
+    const SyntheticShape& shape = record.breaths[first + i];
     CHECK(breath.kept);
     CHECK(breath.reason.empty());
     CHECK(breath.onset_s == Approx(onsets[first + i]).margin(time_tolerance));
@@ -112,7 +112,7 @@ void check_found(const Segmentation& found, const Record& record, std::size_t fi
 
 }  // namespace
 
-TEST_CASE("clean breaths are found at any sampling rate") {
+TEST_CASE("clean breaths are found at any sampling rate", "[unit][breaths]") {
   Record record;
   record.rate_hz = GENERATE(10.0, 50.0, 100.0, 500.0, 2000.0);
   CAPTURE(record.rate_hz);
@@ -125,7 +125,7 @@ TEST_CASE("clean breaths are found at any sampling rate") {
   }
 }
 
-TEST_CASE("breaths of one record may differ; cut ones at its ends do not count") {
+TEST_CASE("breaths of one record may differ; cut ones at its ends do not count", "[unit][breaths]") {
   Record record;
   record.breaths = {{}, {450e-6, 1.2, 2.0, 0.2}, {560e-6, 1.7, 2.2, 0.4}, {510e-6, 1.4, 1.9, 0.6}, {}};
   SECTION("cut in expiration and expiration") {
@@ -140,7 +140,7 @@ TEST_CASE("breaths of one record may differ; cut ones at its ends do not count")
   CHECK_THAT(found.notes.back(), Contains("not used"));
 }
 
-TEST_CASE("a record of one whole breath is enough") {
+TEST_CASE("a record of one whole breath is enough", "[unit][breaths]") {
   Record record;
   record.breaths.resize(1);
   record.rate_hz = 100;
@@ -148,7 +148,7 @@ TEST_CASE("a record of one whole breath is enough") {
   CHECK(segment_breaths(volume_trace(record)).breaths[0].end_s == Approx(4.0).margin(0.011));
 }
 
-TEST_CASE("noise moves breaths little and makes none") {
+TEST_CASE("noise moves breaths little and makes none", "[unit][breaths]") {
   Record record;
   record.breaths.resize(12);
   record.rate_hz = GENERATE(10.0, 100.0, 2000.0);
@@ -157,7 +157,7 @@ TEST_CASE("noise moves breaths little and makes none") {
   check_found(segment_breaths(volume_trace(record)), record, 0, 12, 0.25, 0.12);
 }
 
-TEST_CASE("a drift is removed, from a volume and from a flow's integral") {
+TEST_CASE("a drift is removed, from a volume and from a flow's integral", "[unit][breaths]") {
   Record record;
   record.breaths.resize(8);
   const double drift = GENERATE(-60e-6, -20e-6, 20e-6, 60e-6);  // up to half a tidal volume a breath
@@ -176,7 +176,7 @@ TEST_CASE("a drift is removed, from a volume and from a flow's integral") {
   }
 }
 
-TEST_CASE("resets of the volume are undone") {
+TEST_CASE("resets of the volume are undone", "[unit][breaths]") {
   Record record;
   record.breaths.resize(8);
   record.skip_s = 2.3;
@@ -189,9 +189,10 @@ TEST_CASE("resets of the volume are undone") {
     REQUIRE(std::abs(found.volume_m3[i] - found.volume_m3[i - 1]) < 8e-6);
 }
 
-TEST_CASE("pauses belong to the breath before them, and plateaus have their peak in the middle") {
+TEST_CASE("pauses belong to the breath before them, and plateaus have their peak in the middle",
+          "[unit][breaths]") {
   Record record;
-  record.breaths = std::vector<Shape>(6, Shape{500e-6, 1.0, 1.5, 2.5});
+  record.breaths = std::vector<SyntheticShape>(6, SyntheticShape{500e-6, 1.0, 1.5, 2.5});
   record.noise_m3 = GENERATE(0.0, 4e-6);
   CAPTURE(record.noise_m3);
   check_found(segment_breaths(volume_trace(record)), record, 0, 6, 0.12, 0.03);
@@ -204,7 +205,7 @@ TEST_CASE("pauses belong to the breath before them, and plateaus have their peak
   for (const auto& breath : found.breaths) CHECK(breath.peak_s - breath.onset_s == Approx(1.074).margin(0.1));
 }
 
-TEST_CASE("odd breaths are listed and rejected with a reason") {
+TEST_CASE("odd breaths are listed and rejected with a reason", "[unit][breaths]") {
   Record record;
   record.breaths.resize(9);
   SECTION("a sigh") {
@@ -238,7 +239,7 @@ TEST_CASE("odd breaths are listed and rejected with a reason") {
   CHECK(std::count_if(found.breaths.begin(), found.breaths.end(), [](auto& b) { return b.kept; }) >= 8);
 }
 
-TEST_CASE("spikes of one sample are repaired, and said so") {
+TEST_CASE("spikes of one sample are repaired, and said so", "[unit][breaths]") {
   Record record;
   Trace trace = volume_trace(record);
   trace.value[730] = 9e-3;
@@ -248,7 +249,7 @@ TEST_CASE("spikes of one sample are repaired, and said so") {
   CHECK_THAT(found.notes.at(0), Contains("2 isolated spike(s)"));
 }
 
-TEST_CASE("what is no breathing") {
+TEST_CASE("what is no breathing", "[unit][breaths]") {
   Trace constant = volume_trace({});
   std::fill(constant.value.begin(), constant.value.end(), 300e-6);
   CHECK_THAT(error_of(constant), Contains("made.csv: all 2401 samples of the volume are 300 ml"));
@@ -262,7 +263,7 @@ TEST_CASE("what is no breathing") {
   CHECK_THAT(error_of(volume_trace(half)), Contains("made.csv: no whole breath in 2.5 s"));
 }
 
-TEST_CASE("wrong units are told from what they make of the breaths") {
+TEST_CASE("wrong units are told from what they make of the breaths", "[unit][breaths]") {
   const auto scaled = [](Trace trace, double time, double value, std::string time_unit,
                          std::string value_unit) {
     for (double& t : trace.time_s) t *= time;
@@ -287,7 +288,7 @@ TEST_CASE("wrong units are told from what they make of the breaths") {
   CHECK_THAT(error_of(scaled(volume, 1, 1e-9, "s", "ml")), Contains("check the unit"));
 }
 
-TEST_CASE("the mean breath keeps shape, timing and size") {
+TEST_CASE("the mean breath keeps shape, timing and size", "[unit][breaths]") {
   Record record;
   record.breaths = {
       {}, {450e-6, 1.2, 2.0, 0}, {550e-6, 1.8, 2.4, 0}, {450e-6, 1.2, 2.0, 0}, {550e-6, 1.8, 2.4, 0}, {}};
@@ -306,7 +307,7 @@ TEST_CASE("the mean breath keeps shape, timing and size") {
   CHECK(mean.time_s[50] == Approx(mean.duration_s / 2));
   CHECK(mean.volume_m3.front() == 0);
   CHECK(mean.volume_m3.back() == 0);
-  const Shape shape{500e-6, 1.5, 2.2, 0};
+  const SyntheticShape shape{500e-6, 1.5, 2.2, 0};
   for (std::size_t i = 0; i < mean.time_s.size(); ++i)
     REQUIRE(mean.volume_m3[i] == Approx(volume_in(shape, mean.time_s[i])).margin(12e-6));
   // Depths of +-50 ml: a deviation of 57.7 ml at the peak; nothing but the floor of 1 % at the ends.
@@ -315,7 +316,7 @@ TEST_CASE("the mean breath keeps shape, timing and size") {
   CHECK(mean_breath(found).time_s.size() == 200);
 }
 
-TEST_CASE("rejected breaths are not averaged, but can be asked for") {
+TEST_CASE("rejected breaths are not averaged, but can be asked for", "[unit][breaths]") {
   Record record;
   record.breaths[2].tidal_volume_m3 = 1300e-6;
   const Segmentation found = segment_breaths(volume_trace(record));
@@ -336,7 +337,7 @@ TEST_CASE("rejected breaths are not averaged, but can be asked for") {
   CHECK_THROWS_WITH(mean_breath(none), Contains("made.csv: no breath is kept"));
 }
 
-TEST_CASE("sigma of one breath is its noise, or what the trace says") {
+TEST_CASE("sigma of one breath is its noise, or what the trace says", "[unit][breaths]") {
   Record record;
   record.noise_m3 = 12e-6;
   Trace trace = volume_trace(record);
@@ -348,12 +349,12 @@ TEST_CASE("sigma of one breath is its noise, or what the trace says") {
 
 namespace {
 
-struct Summary {
+struct SegmentSummary {
   std::size_t found = 0, kept = 0;
   double tidal_volume_ml = 0, period_s = 0;
 };
 
-Summary summary_of(const Segmentation& segmentation) {
+SegmentSummary summary_of(const Segmentation& segmentation) {
   const MeasuredBreath mean = mean_breath(segmentation);
   return {segmentation.breaths.size(), static_cast<std::size_t>(mean.breaths_used),
           mean.tidal_volume_m3 * 1e6, mean.duration_s};
@@ -362,7 +363,8 @@ Summary summary_of(const Segmentation& segmentation) {
 }  // namespace
 
 #ifdef TRUNK_SHARED_DATA
-TEST_CASE("the breaths of real recordings are found, from flow and from volumes with resets") {
+TEST_CASE("the breaths of real recordings are found, from flow and from volumes with resets",
+          "[unit][breaths]") {
   const std::filesystem::path folder = std::filesystem::path(TRUNK_SHARED_DATA) / "traces";
   if (!std::filesystem::exists(folder / "cant_Subject01_0cmH2O_0mL.csv")) {
     WARN("skipped: no recordings in " << folder.string());
@@ -375,12 +377,12 @@ TEST_CASE("the breaths of real recordings are found, from flow and from volumes 
   };
   const std::string column = GENERATE("", "volume_L", "volume_from_flow_L");
   CAPTURE(column);
-  const Summary third = summary("cant_Subject03_0cmH2O_0mL.csv", column.c_str());
+  const SegmentSummary third = summary("cant_Subject03_0cmH2O_0mL.csv", column.c_str());
   CHECK(third.found == 10);
   CHECK(third.kept == 10);
   CHECK(third.tidal_volume_ml == Approx(1040).epsilon(0.04));
   CHECK(third.period_s == Approx(4.1).epsilon(0.02));
-  const Summary first = summary("cant_Subject01_0cmH2O_0mL.csv", column.c_str());
+  const SegmentSummary first = summary("cant_Subject01_0cmH2O_0mL.csv", column.c_str());
   CHECK(first.found == 10);
   CHECK(first.kept == 10);
   CHECK(first.tidal_volume_ml == Approx(970).epsilon(0.04));
@@ -388,9 +390,9 @@ TEST_CASE("the breaths of real recordings are found, from flow and from volumes 
 }
 #endif
 
-TEST_CASE("the constructed trace has its 8 breaths of 466 ml in the mean") {
+TEST_CASE("the constructed trace has its 8 breaths of 466 ml in the mean", "[unit][breaths]") {
   const auto file = std::filesystem::path(__FILE__).parent_path() / "../../reference/constructed_trace.csv";
-  const Summary summary = summary_of(segment_breaths(read_trace(file)));
+  const SegmentSummary summary = summary_of(segment_breaths(read_trace(file)));
   CHECK(summary.found == 8);
   CHECK(summary.kept == 8);
   CHECK(summary.tidal_volume_ml == Approx(466).epsilon(0.01));
