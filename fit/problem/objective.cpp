@@ -38,25 +38,23 @@ Objective::Objective(const Trunk& trunk, const TimeGrid& grid, const SearchSpace
   for (double v : target.delta_v) target_energy_ += v * v;
 }
 
-std::optional<Eigen::VectorXd> Objective::residuals_of(const Candidate& candidate) const {
-  const VolumeCurve curve = simulate_volume(trunk_, candidate.parameters, candidate.activation, grid_);
+std::optional<Eigen::VectorXd> Objective::residuals_of(const VolumeCurve& curve) const {
   if (!curve.summary.completed()) return std::nullopt;
   const Eigen::VectorXd measured =
       Eigen::VectorXd::Map(target_.delta_v.data(), static_cast<Eigen::Index>(target_.delta_v.size()));
   return as_target_sees(target_, curve.delta_v, grid_.dt_s) - measured;
 }
 
+std::optional<Eigen::VectorXd> Objective::residuals_of(const Candidate& candidate) const {
+  return residuals_of(simulate_volume(trunk_, candidate.parameters, candidate.activation, grid_));
+}
+
 Objective::Outcome Objective::evaluate(const Eigen::VectorXd& x) {
   const Candidate candidate = space_.decode(x);
   const auto start = std::chrono::steady_clock::now();
   const VolumeCurve curve = simulate_volume(trunk_, candidate.parameters, candidate.activation, grid_);
-  Outcome outcome{std::nullopt, 0.0};
-  if (curve.summary.completed()) {
-    const Eigen::VectorXd measured =
-        Eigen::VectorXd::Map(target_.delta_v.data(), static_cast<Eigen::Index>(target_.delta_v.size()));
-    outcome.residuals = as_target_sees(target_, curve.delta_v, grid_.dt_s) - measured;
-    outcome.objective = outcome.residuals->squaredNorm();
-  }
+  Outcome outcome{residuals_of(curve), 0.0};
+  if (outcome.residuals) outcome.objective = outcome.residuals->squaredNorm();
   if (!outcome.residuals || !finite(outcome.objective)) {
     const double lasted = curve.summary.time_s / grid_.duration_s;
     outcome = {std::nullopt, 100.0 * target_energy_ * (2.0 - std::clamp(lasted, 0.0, 1.0))};

@@ -54,6 +54,7 @@ class Objective {
     std::optional<Eigen::VectorXd> residuals;
     double objective;
   };
+  std::optional<Eigen::VectorXd> residuals_of(const VolumeCurve& curve) const;
   Outcome evaluate(const Eigen::VectorXd& x);
 
   const Trunk& trunk_;
