@@ -29,7 +29,8 @@ struct ShapeMemory {
 /// activity.
 struct Fibre {
   int insertion, origin;
-  double activity;  // 1 healthy, 0 paralysed
+  double
+      activity;  // share of k_muscle: 1 healthy (less on finer meshes, which have more fibres), 0 paralysed
 };
 
 /// How a rigid component moves when it is driven: turned by angle(t) around an axis, then shifted.
