@@ -12,14 +12,10 @@ orange numbers are the elasticity left in the paralysed half), prints the Markdo
 
 import argparse
 import concurrent.futures
-import csv
 import dataclasses
 import itertools
 import json
-import os
 import pathlib
-import subprocess
-import sys
 import tempfile
 
 import matplotlib
@@ -27,7 +23,8 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402  (the backend comes first)
 
-ROOT = pathlib.Path(__file__).resolve().parents[1]
+from studies import ROOT, Program, add_program_options, parsed, write_csv  # noqa: E402
+
 BREATHS = {"quiet": ("healthy.toml", 466), "exercise": ("exercise_healthy.toml", 1200)}  # scenario, healthy ml
 ABDOMEN, SOFTENING = (0.4, 0.8, 1.6, 3.2), (1.0, 0.7, 0.5, 0.3, 0.1)
 DEFAULT_ABDOMEN, DEFAULT_SOFTENING = 0.8, 0.5  # those of scenarios/healthy.toml and hemiparalysis_right.toml
@@ -36,6 +33,9 @@ SAME_MM, SAME_PRESSURE = 0.1, 0.05  # a run counts when half the time step chang
 PRESSURE = "abdominal_pressure_peak_cmH2O"
 MEASURES = {"delta_v_ml": "delta_v_ml", "excursion_right_mm": "right_dome_descends_mm",
             "excursion_left_mm": "left_dome_descends_mm", PRESSURE: PRESSURE, "flipped_triangles": "flipped_triangles"}
+COLUMNS = ["breath", "costal_ring", "abdomen_stiffness_factor", "fibres", "reaction", "paralysed",
+           "paralysed_stiffness_factor", "k_muscle_N_per_m", *MEASURES.values(), "delta_v_of_healthy_percent",
+           "dt_ms", "status"]
 HELD = "".join(f'[[displacement]]\nregion = "costal_insertion"\ndirection = {d}\nevents_mm = [[0, 0]]\n'
                for d in ([1, 0, 0], [0, 1, 0], [0, 0, 1]))
 
@@ -68,24 +68,12 @@ def trunks(quick):
     return grid + alone
 
 
-class Program:
-    """`trunk` in a folder of its own; every failure is a word of status, never an exception."""
+class Paradox(Program):
+    """The runs of a trunk."""
 
     def __init__(self, path, folder, longest_step_ms):
-        self.path, self.folder, self.longest_step_ms = path, pathlib.Path(folder), longest_step_ms
-        self.count = itertools.count()
-
-    def __call__(self, *arguments):
-        output = self.folder / f"{next(self.count)}.h5"
-        done = subprocess.run([self.path, *map(str, arguments), "-o", output, "--json"], capture_output=True, text=True)
-        output.unlink(missing_ok=True)
-        if done.returncode == 0:
-            return json.loads(done.stdout), "completed"
-        if done.returncode == 3:
-            return None, "diverged or not converged"
-        if "step" in done.stderr:
-            return None, "time step unstable"
-        sys.exit(f"{' '.join(map(str, done.args))}: exit {done.returncode}: {done.stderr.strip()}")
+        super().__init__(path, folder)
+        self.longest_step_ms = longest_step_ms
 
     def checked(self, scenario, step_ms, *settings):
         """A run, and in its status whether half the time step gives the same."""
@@ -130,17 +118,6 @@ class Program:
                                   "delta_v_of_healthy_percent": ratio, "status": status}
                         | {name: run[key] if run else None for key, name in MEASURES.items()})
         return rows
-
-
-def write_csv(rows, path):
-    columns = ["breath", "costal_ring", "abdomen_stiffness_factor", "fibres", "reaction", "paralysed",
-               "paralysed_stiffness_factor", "k_muscle_N_per_m", *MEASURES.values(), "delta_v_of_healthy_percent",
-               "dt_ms", "status"]
-    with open(path, "w", newline="", encoding="utf-8") as file:
-        writer = csv.DictWriter(file, columns, lineterminator="\n")
-        writer.writeheader()
-        for row in rows:
-            writer.writerow({c: f"{v:.5g}" if isinstance(v := row[c], float) else v for c in columns})
 
 
 def markdown(rows):
@@ -219,24 +196,18 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("-o", "--output", type=pathlib.Path, required=True, metavar="DIR",
                         help="folder for the results")
-    parser.add_argument("--trunk", type=pathlib.Path, default=ROOT / "build" / "trunk",
-                        help="the program [build/trunk]")
-    parser.add_argument("-j", "--jobs", type=int, default=os.cpu_count(), metavar="N", help="at once [one a core]")
+    add_program_options(parser)
     parser.add_argument("--quick", action="store_true",
                         help="quiet breathing at the defaults, with and without ribs, in steps of 3 ms; no picture")
-    arguments = parser.parse_args()
-    if not os.access(arguments.trunk, os.X_OK):
-        parser.error(f"{arguments.trunk} is not a program; build it, or name it by --trunk")
-    if arguments.jobs < 1:
-        parser.error("--jobs must be 1 or more")
+    arguments = parsed(parser)
     arguments.output.mkdir(parents=True, exist_ok=True)
     softenings = (DEFAULT_SOFTENING,) if arguments.quick else SOFTENING
     with tempfile.TemporaryDirectory() as folder:
-        program = Program(arguments.trunk.resolve(), folder, 3.0 if arguments.quick else LONGEST_STEP_MS)
+        program = Paradox(arguments.trunk, folder, 3.0 if arguments.quick else LONGEST_STEP_MS)
         with concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool:
             rows = [row for group in pool.map(lambda trunk: program.runs(trunk, softenings), trunks(arguments.quick))
                     for row in group]
-    write_csv(rows, arguments.output / "paradox.csv")
+    write_csv(arguments.output / "paradox.csv", COLUMNS, rows)
     if not arguments.quick:
         plot(rows, arguments.output / "paradox.png")
     print(markdown(rows))

@@ -13,15 +13,11 @@ counted. All runs go to a CSV file. A few minutes.
 import argparse
 import concurrent.futures
 import csv
-import itertools
-import json
-import os
 import pathlib
-import subprocess
-import sys
 import tempfile
 
-ROOT = pathlib.Path(__file__).resolve().parents[1]
+from studies import ROOT, Program, add_program_options, options, parsed, write_csv
+
 DOMES = ("geometry.dome_height_right_mm", "geometry.dome_height_left_mm")
 RANGES = [  # keys that change together, values
     (("parameters.abdomen_stiffness_factor",), (0.1, 0.3, 0.6, 1, 1.5, 3)),
@@ -42,24 +38,11 @@ MEASURES = {"delta_v_ml": "ΔV ml", "delta_l_mm": "ΔL mm", "delta_l_percent": "
             "delta_r_mm": "ΔR mm"}
 
 
-def options(settings):
-    return [word for key, value in settings.items() for word in ("--set", f"{key}={value}")]
-
-
-def run(program, scenario, settings, tidal_ml, output):
+def run(program, scenario, settings, tidal_ml):
     """Measures of the scenario with k_muscle fitted, and a status; never an exception for a run that fails."""
-
-    def call(*arguments):
-        done = subprocess.run([program, *map(str, arguments), "-o", output, "--force", "--json"],
-                              capture_output=True, text=True)
-        if done.returncode not in (0, 3) and "step" not in done.stderr:
-            sys.exit(f"{' '.join(map(str, done.args))}: exit {done.returncode}: {done.stderr.strip()}")
-        return json.loads(done.stdout) if done.returncode == 0 else None
-
-    fit = call("fit", scenario, "--tidal-volume-ml", tidal_ml, "--free", "k_muscle", *options(settings))
+    fit, _ = program("fit", scenario, "--tidal-volume-ml", tidal_ml, "--free", "k_muscle", *options(settings))
     k_muscle = {"parameters.k_muscle_N_per_m": repr(fit["parameters"]["k_muscle"]["value"])} if fit else {}
-    simulated = call("simulate", scenario, *options(settings | k_muscle)) if fit else None
-    output.unlink(missing_ok=True)
+    simulated, _ = program("simulate", scenario, *options(settings | k_muscle)) if fit else (None, None)
     status = "failed" if not simulated else "triangles turned over" if simulated["flipped_triangles"] else "completed"
     return {"k_muscle_N_per_m": float(*k_muscle.values()) if fit else None, "status": status,
             **{name: simulated[name] if simulated else None for name in MEASURES}}
@@ -88,12 +71,8 @@ def main():
     parser.add_argument("--set", action="append", default=[], metavar="KEY=VALUE",
                         help="over the scenario, in every run")
     parser.add_argument("--only", action="append", metavar="KEY", help="change this key alone; may be repeated")
-    parser.add_argument("--trunk", type=pathlib.Path, default=ROOT / "build" / "trunk",
-                        help="the program [build/trunk]")
-    parser.add_argument("-j", "--jobs", type=int, default=os.cpu_count(), metavar="N", help="at once [one a core]")
-    arguments = parser.parse_args()
-    if not os.access(arguments.trunk, os.X_OK):
-        parser.error(f"{arguments.trunk} is not a program; build it, or name it by --trunk")
+    add_program_options(parser)
+    arguments = parsed(parser)
     ranges = [group for group in RANGES if not arguments.only or set(group[0]) & set(arguments.only)]
     if not ranges:
         parser.error(f"--only: expected one of {', '.join(keys[0] for keys, _ in RANGES)}")
@@ -102,21 +81,16 @@ def main():
         table = csv.DictReader(line for line in file if not line.startswith("#"))
         target = next(row for row in table if row["source"] == "published_model")
     with tempfile.TemporaryDirectory() as folder, concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool:
-        count = itertools.count()
+        program = Program(arguments.trunk, folder)
 
         def start(settings):
-            output = pathlib.Path(folder) / f"{next(count)}.h5"
-            return pool.submit(run, arguments.trunk.resolve(), arguments.scenario, settings, target["dv_ml"], output)
+            return pool.submit(run, program, arguments.scenario, settings, target["dv_ml"])
         base = start(always)
         started = [[start(always | dict.fromkeys(keys, value)) for value in values] for keys, values in ranges]
         base, groups = base.result(), [(group, [s.result() for s in row]) for group, row in zip(ranges, started)]
-    with open(arguments.output, "w", newline="", encoding="utf-8") as file:
-        writer = csv.DictWriter(file, ["key", "value", "k_muscle_N_per_m", *MEASURES, "status"], lineterminator="\n")
-        writer.writeheader()
-        for (keys, values), rows in [((("",), [""]), [base]), *groups]:
-            for value, row in zip(values, rows):
-                writer.writerow({"key": keys[0], "value": value}
-                                | {n: f"{v:.5g}" if isinstance(v, float) else v for n, v in row.items()})
+    write_csv(arguments.output, ["key", "value", "k_muscle_N_per_m", *MEASURES, "status"],
+              [{"key": keys[0], "value": value} | row for (keys, values), rows in [((("",), [""]), [base]), *groups]
+               for value, row in zip(values, rows)])
     print(markdown(base, groups, target))
 
 

@@ -49,6 +49,35 @@ class Paradox(StudyTest):
         self.assert_no_program("study_paradox.py")
 
 
+class Mesh(StudyTest):
+    def test_a_finer_mesh_is_stiffer_and_keeps_the_paradox(self):
+        done = self.study("study_mesh.py", "--quick", "--trunk", PROGRAM, "-o", "study")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertTrue(done.stdout.startswith("| "), done.stdout)
+        with open(self.folder / "study/mesh.csv", newline="", encoding="utf-8") as file:
+            rows = list(csv.DictReader(file))
+        for row in rows:
+            self.assertEqual((row["status"], row["flipped_triangles"]), ("completed", "0"), row)
+            self.assertEqual(row["particles"], {"1": "113", "2": "455"}[row["resolution"]])
+
+        def volumes(question, change=""):
+            return [float(row["delta_v_ml"]) for row in rows if (row["question"], row["change"]) == (question, change)]
+        coarse, fine = volumes("same parameters")
+        self.assertTrue(0.6 < fine / coarse < 0.9, (coarse, fine))
+        for question in ("466 ml by k_muscle", "466 ml by k_elasticity", "held rings twice, 466 ml"):
+            for volume in volumes(question):
+                self.assertAlmostEqual(volume, 466, delta=0.06)
+        coarse, fine = volumes("membrane, same parameters", "100 N/m")
+        self.assertTrue(0.6 < fine / coarse < 0.9, (coarse, fine))
+        for row in rows:
+            if row["change"] == "paralysed":
+                self.assertLess(float(row["right_dome_descends_mm"]), -1)
+                self.assertGreater(float(row["left_dome_descends_mm"]), 1)
+
+    def test_a_program_that_is_not_there(self):
+        self.assert_no_program("study_mesh.py")
+
+
 class Published(StudyTest):
     def test_every_run_has_the_published_tidal_volume(self):
         done = self.study("study_published.py", "--only", "tissue.reaction", "--set", "time.dt_ms=3",
