@@ -57,6 +57,19 @@ std::vector<Fibre> make_fibres(const TrunkMesh& m, const Tissue& tissue, double 
   return fibres;
 }
 
+/// See Tissue::held_stiffness. What a free rigid body carries is not held.
+void stiffen_held(double factor, Model& model) {
+  std::set<int> moving;
+  for (const RigidBody& body : model.bodies)
+    if (body.motion == RigidBody::Motion::free) moving.insert(body.particles.begin(), body.particles.end());
+  ShapeMemory& memory = model.shape_memory;
+  for (std::size_t r = 0; r < memory.rings.size(); ++r) {
+    const int i = memory.rings.vertex[r];
+    const Vec3d& mobility = model.mobility[index(i)];
+    if (dot(mobility, mobility) == 0.0 && !moving.contains(i)) memory.stiffness_weight[r] *= factor;
+  }
+}
+
 /// One spring along every edge. The stiffness of a sheet of such springs does not depend on their length.
 std::vector<MembraneEdge> make_membrane(const TrunkMesh& m, double stiffness) {
   std::vector<MembraneEdge> edges;
@@ -73,7 +86,7 @@ std::vector<MembraneEdge> make_membrane(const TrunkMesh& m, double stiffness) {
 
 void require_possible(const Tissue& tissue) {
   for (const double factor : {tissue.tendon_factor, tissue.paralysed_stiffness, tissue.rib_friction,
-                              tissue.membrane_stiffness, tissue.particle_mass})
+                              tissue.membrane_stiffness, tissue.particle_mass, tissue.held_stiffness})
     if (!std::isfinite(factor) || factor < 0.0)
       throw InputError(
           fmt::format("a mass, stiffness or factor of the tissue is {}, expected 0 or more", factor));
@@ -135,6 +148,7 @@ Trunk make_trunk(const TrunkMesh& mesh, const Tissue& tissue, Reaction reaction,
   model.lung = mesh.lung;
   for (int i : mesh.named("fixed")) model.mobility[index(i)] = {0.0, 0.0, 0.0};
   add_rigid_parts(mesh, tissue, parts, model);
+  stiffen_held(tissue.held_stiffness, model);
   require_valid(model);
   return trunk;
 }

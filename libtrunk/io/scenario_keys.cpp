@@ -76,6 +76,11 @@ std::vector<Key> make_keys() {
           "tissue.tendon_stiffness_factor", "", one, 0, 1e4,
           [](Scenario& s) -> double& { return s.tissue.tendon_factor; },
           "central tendon over diaphragm muscle"),
+      number(
+          "tissue.held_stiffness_factor", "", one, 0, 100,
+          [](Scenario& s) -> double& { return s.tissue.held_stiffness; },
+          "held particles of abdomen and diaphragm over their own elasticity; 2 for faster convergence with "
+          "resolution"),
       {"tissue.reaction", "how shape-memory forces are balanced by the neighbours",
        Key::Choice{{"variational", "published"},
                    [](Scenario& s, int i) { s.reaction = static_cast<Reaction>(i); },
