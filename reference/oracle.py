@@ -13,8 +13,9 @@ import time
 import numpy as np
 
 sys.dont_write_bytecode = True
-from oracle.body import Body, read_run  # noqa: E402 (the package beside this file)
+from oracle.body import Body  # noqa: E402 (the package beside this file)
 from oracle.breath import simulate  # noqa: E402
+from oracle.run import read_run  # noqa: E402
 from oracle.volume import enclosed_volume  # noqa: E402
 
 
@@ -22,11 +23,11 @@ def compare(run):
     """(largest distance to the stored frames m, largest difference of dV ml, particle and step of the former)"""
     body = Body(run)
     frames = dict(zip(run.frame_steps.tolist(), run.frames))
-    lung_at_rest = enclosed_volume(body.rest, body.lung)
+    lung_at_rest = enclosed_volume(body.rest, body.anatomy.lung)
     worst = (0.0, 0, 0)
     apart_ml = 0.0
     for step, positions in enumerate(simulate(body, run.scenario["activation"])):
-        delta_v_ml = 1e6 * (enclosed_volume(positions, body.lung) - lung_at_rest)
+        delta_v_ml = 1e6 * (enclosed_volume(positions, body.anatomy.lung) - lung_at_rest)
         apart_ml = np.maximum(apart_ml, abs(delta_v_ml - run.delta_v_ml[step]))  # keeps NaN
         if step in frames:
             distance = np.linalg.norm(positions.T - frames.pop(step), axis=1)
