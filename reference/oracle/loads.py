@@ -39,9 +39,15 @@ def dead_forces(scenario, anatomy, mass):
     return loads
 
 
+def tetrahedra(base, tip):
+    """Volume between facets [a, b, c] and their tips, m3: positive where these are on the side the facets face."""
+    a, b, c = base
+    return dot(tip - a, cross(b - a, c - a)) / 6.0
+
+
 class Pressure:
-    """A pressure on facets from the side they face. Its work is -p times the volume that they sweep, which to first
-    order is that of the tetrahedra between them and where their centroids were."""
+    """A pressure on facets from the side they face. Its work is -p times the volume that they sweep: the prisms
+    between where they are and where they move to, each of three tetrahedra."""
 
     def __init__(self, load, anatomy):
         self.corners = anatomy.facets(anatomy.selected(load["region"])).T
@@ -49,12 +55,11 @@ class Pressure:
 
     def force(self, positions, t):
         points = positions[:, self.corners]
-        centroid = points.mean(axis=1)
+        a, b, c = np.moveaxis(points, 1, 0)[:, :, None]
 
         def swept(moved):
-            a, b, c = (moved[:, corner] for corner in range(3))
-            apex = centroid if moved.ndim == 3 else centroid[:, None]
-            return dot(a - apex, cross(b - apex, c - apex)) / 6.0
+            to_a, to_b, to_c = np.moveaxis(moved, 1, 0)
+            return tetrahedra((a, b, c), to_a) + tetrahedra((to_a, b, c), to_b) + tetrahedra((to_a, to_b, c), to_c)
 
         return -self.magnitude(t) * added(positions.shape, self.corners, slopes(swept, points))
 

@@ -70,8 +70,9 @@ class Ribs:
 
     def poses(self, t):
         """R [xyz, xyz, particles] and b [xyz, particles] of each particle's part."""
-        turns, shifts = zip(*(part.at(t) for part in self.parts))
-        return np.stack(turns, axis=2)[:, :, self.part], np.concatenate(shifts, axis=1)[:, self.part]
+        poses = {number: self.parts[number].at(t) for number in np.unique(self.part)}
+        turns, shifts = zip(*(poses[number] for number in self.part))
+        return np.stack(turns, axis=2), np.concatenate(shifts, axis=1)
 
     def planes(self, predicted, positions, start, end):
         """Tangent to the surface of the gap's value 0, to first order, seen from where the particles are predicted."""
