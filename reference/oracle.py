@@ -13,26 +13,26 @@ import time
 import numpy as np
 
 sys.dont_write_bytecode = True
-from oracle.body import Body, read_run  # noqa: E402 (the package beside this file)
+from oracle.body import Body  # noqa: E402 (the package beside this file)
 from oracle.breath import simulate  # noqa: E402
+from oracle.run import read_run  # noqa: E402
 from oracle.volume import enclosed_volume  # noqa: E402
 
 
-def compare(run):
+def compare(run, body):
     """(largest distance to the stored frames m, largest difference of dV ml, particle and step of the former)"""
-    body = Body(run)
     frames = dict(zip(run.frame_steps.tolist(), run.frames))
-    lung_at_rest = enclosed_volume(body.rest, body.lung)
+    lung_at_rest = enclosed_volume(body.rest, body.anatomy.lung)
     worst = (0.0, 0, 0)
     apart_ml = 0.0
     for step, positions in enumerate(simulate(body, run.scenario["activation"])):
-        delta_v_ml = 1e6 * (enclosed_volume(positions, body.lung) - lung_at_rest)
+        delta_v_ml = 1e6 * (enclosed_volume(positions, body.anatomy.lung) - lung_at_rest)
         apart_ml = np.maximum(apart_ml, abs(delta_v_ml - run.delta_v_ml[step]))  # keeps NaN
         if step in frames:
             distance = np.linalg.norm(positions.T - frames.pop(step), axis=1)
             worst = max(worst, (np.inf if np.isnan(distance).any() else distance.max(), distance.argmax(), step))
     assert not frames, f"no step of this scenario is that of {len(frames)} stored frames"
-    return worst, apart_ml, body.steps
+    return worst, apart_ml
 
 
 def main():
@@ -41,17 +41,18 @@ def main():
     parser.add_argument("--tolerance", type=float, default=1e-9, metavar="M",
                         help="largest distance of a particle that passes, m (default %(default)s)")
     options = parser.parse_args()
+    start = time.perf_counter()
     try:
         run = read_run(options.run)
+        body = Body(run)
     except (OSError, KeyError, ValueError) as error:
         print(f"oracle: {options.run}: not a run of trunk simulate: {error}", file=sys.stderr)
         return 2
-    start = time.perf_counter()
-    (distance, particle, step), apart_ml, steps = compare(run)
+    (distance, particle, step), apart_ml = compare(run, body)
     within = bool(distance <= options.tolerance)
     print(f"largest distance   {distance:.3g} m (particle {particle}, step {step})")
     print(f"largest dV apart   {apart_ml:.3g} ml")
-    print(f"time               {time.perf_counter() - start:.1f} s for {steps} steps")
+    print(f"time               {time.perf_counter() - start:.1f} s for {body.steps} steps")
     print(f"{'agrees' if within else 'DIFFERS'}: tolerance {options.tolerance:g} m")
     return 0 if within else 1
 

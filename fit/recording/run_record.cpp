@@ -50,6 +50,7 @@ Trajectory trajectory_of(const Trunk& trunk, const BreathRun& run, double dt_s) 
       t.triangle_component.push_back(component);
     }
   for (const Fibre& f : trunk.model.fibres) t.fibres.push_back({f.insertion, f.origin});
+  for (const auto& line : trunk.mesh.muscle_lines) t.muscle_lines.emplace_back(line.begin(), line.end());
   return t;
 }
 

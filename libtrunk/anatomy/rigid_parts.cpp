@@ -30,7 +30,11 @@ double curvature_of(const Vec3d& before, const Vec3d& at, const Vec3d& after, co
 }
 
 /// The rib surface at a particle of the zone of apposition: through its rest position, tangent to the muscle
-/// lines' grid there, and curved as the grid is along both of its directions (our choice).
+/// lines' grid there, and curved as the grid is along both of its directions (our choice). With x' and x''
+/// the first and second central differences of rest positions, by line and by row, the normal n is across
+/// both x', outward; the curvature along the tangent around the trunk, e, is -x''.n / |x'|^2 by line, and
+/// along n x e by row. At the top row, above which there are no ribs, x' by row is the difference downward
+/// and that curvature is 0.
 Support support_at(const TrunkMesh& mesh, int particle, const GridPlace& place, int body) {
   const auto& lines = mesh.muscle_lines;
   const std::size_t count = lines.size(), top = mesh.apposition_top_row();

@@ -93,9 +93,11 @@ pml::Load load_of(const RegionLoad& load) {
   pml::Axes axes;
   const double direction[] = {load.direction.x(), load.direction.y(), load.direction.z()};
   const double imposed[] = {load.axes.x(), load.axes.y(), load.axes.z()};
+  // A pressure across its surface has no direction, but LML wants one: none along any axis.
+  const bool normal = load.kind == Kind::pressure && dot(load.direction, load.direction) == 0.0;
   for (std::size_t k = 0; k < 3; ++k) {
     if (direction[k] != 0.0) axes[k] = {pml::Axis::Kind::along, direction[k]};
-    if (direction[k] == 0.0 && imposed[k] != 0.0) axes[k] = {pml::Axis::Kind::fixed, 0.0};
+    if (direction[k] == 0.0 && (imposed[k] != 0.0 || normal)) axes[k] = {pml::Axis::Kind::fixed, 0.0};
   }
   pml::Load result;
   result.type = type;

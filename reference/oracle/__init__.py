@@ -3,4 +3,4 @@
 Arrays of vectors have the component first: positions are [xyz, particles], in m. SI units throughout.
 """
 
-VERSION = 1  # of the equations; count on when trajectories change
+VERSION = 2  # of the equations; count on when trajectories change

@@ -2,8 +2,8 @@
 
 import numpy as np
 
+from oracle.constraint import VolumeAndRibs
 from oracle.elasticity import shape_memory
-from oracle.volume import VolumeAndRibs
 
 
 def activation(timing, t):
@@ -15,13 +15,34 @@ def activation(timing, t):
 
 
 def forces(body, positions, active, t):
+    """On every particle, N."""
     force = body.mass * body.gravity + shape_memory(body.rings, positions, body.published)
-    pull = active * body.fibre_stiffness * (positions[:, body.origin] - positions[:, body.insertion])
-    np.add.at(force.T, body.insertion, pull.T)
-    np.add.at(force.T, body.origin, -pull.T)
-    for particles, direction, magnitude in body.forces:
-        force[:, particles] += magnitude(t) * direction
+    muscle = body.tissue
+    pull = active * muscle.fibres * (positions[:, muscle.origin] - positions[:, muscle.insertion])
+    np.add.at(force.T, muscle.insertion, pull.T)
+    np.add.at(force.T, muscle.origin, -pull.T)
+    for membrane in body.membranes:
+        force += membrane.force(positions)
+    for particles, at_one, magnitude in body.dead_forces:
+        force[:, particles] += magnitude(t) * at_one
+    for pressure in body.pressures:
+        force += pressure.force(positions, t)
     return force
+
+
+def predict(body, positions, velocity, active, t, end):
+    """Where the forces alone, and what is imposed, would take the particles."""
+    force = forces(body, positions, active, t)
+    velocity = body.mobility * (body.mass * velocity + body.dt * force) / body.effective_mass
+    predicted = positions + body.dt * velocity
+    for part in body.driven:
+        predicted[:, part.particles] = part.places(end)
+    for part in body.free:
+        predicted[:, part.particles] = part.predict(force)
+    for particles, axes, direction, magnitude in body.displacements:
+        for axis in axes:
+            predicted[axis, particles] = body.rest[axis, particles] + magnitude(end) * direction[axis]
+    return predicted
 
 
 def simulate(body, timing):
@@ -31,13 +52,9 @@ def simulate(body, timing):
     yield positions
     for step in range(body.steps):
         t, end = step * body.dt, (step + 1) * body.dt
-        force = forces(body, positions, activation(timing, t), t)
-        velocity = body.mobility * (body.mass * velocity + body.dt * force) / body.effective_mass
-        predicted = positions + body.dt * velocity
-        for particles, direction, magnitude in body.displacements:
-            for axis in np.flatnonzero(direction):
-                predicted[axis, particles] = body.rest[axis, particles] + magnitude(end) * direction[axis]
-        corrected = constraint.solve(predicted, body.target(end))
+        predicted = predict(body, positions, velocity, activation(timing, t), t, end)
+        planes = body.ribs.planes(predicted, positions, t, end)
+        corrected = constraint.solve(predicted, positions, planes, body.target(end))
         velocity = (corrected - positions) / body.dt
         positions = corrected
         yield positions

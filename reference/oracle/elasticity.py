@@ -1,8 +1,34 @@
-"""Shape memory. Particle P is drawn to T = G + x0 u + y0 v + z0 n, known from its ring N_1..N_m alone."""
+"""Forces as negative slopes of energies.
+
+Shape memory: particle P is drawn to T = G + x0 u + y0 v + z0 n, known from its ring N_1..N_m alone.
+"""
+
+import functools
 
 import numpy as np
 
 IMAGINARY_STEP = 1e-30  # of the complex-step derivative: nothing is subtracted, so it may be as small as one likes
+
+
+@functools.cache
+def imaginary_steps(components, members):
+    """One for each coordinate of a group of points."""
+    coordinates = components * members
+    return 1j * IMAGINARY_STEP * np.eye(coordinates).reshape(components, members, coordinates, 1)
+
+
+def slopes(function, points):
+    """d function / d points by the complex step: exact to round-off, for an analytic function.
+
+    points: [xyz, m, groups]; function: [xyz, m, ..., groups] to [..., groups]
+    """
+    steps = imaginary_steps(*points.shape[:2])
+    return (function(points[:, :, None] + steps).imag / IMAGINARY_STEP).reshape(points.shape)
+
+
+def added(shape, members, forces):
+    """Sums the forces [xyz, m, groups] on members [m, groups] by particle."""
+    return np.stack([np.bincount(members.ravel(), part.ravel(), shape[1]) for part in forces])
 
 
 def dot(a, b):
@@ -39,9 +65,6 @@ class RingGroup:
         points = rest[:, members]
         centre, axes = local_frame(points[:, 1:])
         self.rest_offset = [dot(points[:, 0] - centre, axis) for axis in axes]
-        coordinates = points.shape[0] * points.shape[1]
-        # One imaginary step for each coordinate of P and its ring: [xyz, m + 1, coordinates, 1]
-        self.steps = 1j * IMAGINARY_STEP * np.eye(coordinates).reshape(*points.shape[:2], coordinates, 1)
 
     def energy(self, points):
         """E = 1/2 k |P - T|^2 of every ring, J. points: [xyz, m + 1, ..., rings]"""
@@ -49,9 +72,8 @@ class RingGroup:
         return 0.5 * self.stiffness * dot(stretch, stretch)
 
     def variational(self, points):
-        """-dE/d(P, N_1..N_m) by the complex step: exact to round-off."""
-        slopes = self.energy(points[:, :, None] + self.steps).imag / IMAGINARY_STEP
-        return -slopes.reshape(points.shape)
+        """-dE/d(P, N_1..N_m)."""
+        return -slopes(self.energy, points)
 
     def published(self, points):
         """k (T - P) on P, shared equally by its neighbours with the opposite sign."""
@@ -66,6 +88,26 @@ def shape_memory(rings, positions, published):
     for group in rings:
         points = positions[:, group.members]
         on_members = group.published(points) if published else group.variational(points)
-        for axis in range(3):
-            force[axis] += np.bincount(group.members.ravel(), on_members[axis].ravel(), positions.shape[1])
+        force += added(positions.shape, group.members, on_members)
     return force
+
+
+class Membrane:
+    """A spring along every edge of a surface, at rest at its rest length: E = 1/2 k (|b - a| - l)^2."""
+
+    def __init__(self, triangles, rest, stiffness):
+        sides = np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]])
+        self.edges = np.unique(np.sort(sides, axis=1), axis=0).T
+        self.stiffness = stiffness
+        self.length_at_rest = self.length(rest[:, self.edges])
+
+    @staticmethod
+    def length(points):
+        along = points[:, 1] - points[:, 0]
+        return np.sqrt(dot(along, along))
+
+    def energy(self, points):
+        return 0.5 * self.stiffness * (self.length(points) - self.length_at_rest) ** 2
+
+    def force(self, positions):
+        return -added(positions.shape, self.edges, slopes(self.energy, positions[:, self.edges]))

@@ -34,12 +34,12 @@ def fingerprint(run):
     """What the oracle makes of the scenario and the mesh of a run (its trajectory is not looked at), as plain
     data: dV in ml every EVERY_S, positions in m at the start, at end-inspiration (largest dV) and at the end."""
     body = Body(run)
-    named = landmarks(body.regions, body.rest)
+    named = landmarks(body.anatomy.names, body.rest)
     every = round(EVERY_S / body.dt)
-    at_rest = enclosed_volume(body.rest, body.lung)
+    at_rest = enclosed_volume(body.rest, body.anatomy.lung)
     delta_v, moments = [], {}
     for step, positions in enumerate(simulate(body, run.scenario["activation"])):
-        delta_v.append(1e6 * (enclosed_volume(positions, body.lung) - at_rest))
+        delta_v.append(1e6 * (enclosed_volume(positions, body.anatomy.lung) - at_rest))
         moments["end"] = step, positions
         if step == 0:
             moments["start"] = moments["end"]

@@ -1,4 +1,4 @@
-"""The enclosed volume, and how the abdomen keeps it while the ribs are not crossed."""
+"""The enclosed volume, its gradient, and a bracketed root."""
 
 import numpy as np
 
@@ -42,36 +42,3 @@ def increasing_root(function, guess, enough):
             at_low *= 0.5
         high, at_high = middle, at_middle
     raise ArithmeticError("the search for the abdominal volume did not end")
-
-
-class VolumeAndRibs:
-    """Moves predicted positions to the target volume along d, and back onto a rib plane where outside of it."""
-
-    def __init__(self, body):
-        self.body = body
-        self.touching = np.zeros(len(body.supported), bool)
-
-    def put_back(self, positions, always=False):
-        """Onto the planes: those outside, or those marked. Returns a copy."""
-        body = self.body
-        at = positions[:, body.supported]
-        excess = dot(body.normal, at) - body.offset
-        where = excess > 0.0 if always is False else always
-        positions = positions.copy()
-        positions[:, body.supported] = at - np.where(where, excess, 0.0) * body.normal
-        return positions
-
-    def solve(self, predicted, volume):
-        """Positions of the target volume. d is taken where those that touched at the last step are on their plane."""
-        body = self.body
-        gradient = volume_gradient(self.put_back(predicted, always=self.touching), body.surface)
-        direction = body.mobility * gradient / body.effective_mass
-
-        def excess_volume(multiplier):
-            return enclosed_volume(self.put_back(predicted + multiplier * direction), body.surface) - volume
-
-        guess = -2.0 * excess_volume(0.0) / (gradient * direction).sum()
-        multiplier = increasing_root(excess_volume, guess, 2.0**-50 * volume)
-        free = predicted + multiplier * direction
-        self.touching = dot(body.normal, free[:, body.supported]) > body.offset
-        return self.put_back(free)

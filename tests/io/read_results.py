@@ -105,8 +105,10 @@ def check_run(path, prefix=""):
         assert "unit" not in particles["position/value"].attrs
         assert particles["mass"].shape == particles["species"].shape == (count,)
         assert root["connectivity/triangles"].shape[1] == 3
-        group = root[root["connectivity/triangles"].attrs["particles_group"][0]]
-        assert group == particles
+        lines = root["connectivity/muscle_lines"]
+        assert lines.shape[1] >= 3 and 0 <= lines[:].min() and lines[:].max() < count
+        for cells in (root["connectivity/triangles"], lines):
+            assert root[cells.attrs["particles_group"][0]] == particles
         assert root["observables/dV/value"].shape == (frames,)
         assert root["observables/dV/time"] == particles["velocity/time"] == particles["position/time"]
         assert text(root["parameters/scenario_toml"][()])

@@ -104,6 +104,7 @@ RunRecord sample_run() {
   trajectory.triangle_component = {0};
   trajectory.component_names = {"skin"};
   trajectory.fibres = {{0, 1}, {1, 2}};
+  trajectory.muscle_lines = {{0, 1, 2}, {2, 1, 0}};
   Series volume{"dV_model", "ml", "volume change", {}};
   for (int step = 0; step <= 350; ++step) {
     run.curve_time_s.push_back(0.002 * step);

@@ -40,21 +40,22 @@ struct Provenance {
 
 /// T frames of N particles, and how these are connected.
 struct Trajectory {
-  std::size_t particles = 0;                           ///< N; 0 leaves the trajectory out of the file
-  std::vector<double> time_s;                          ///< [T]
-  std::vector<std::int64_t> step;                      ///< [T]
-  std::vector<double> position_m;                      ///< [T*N*3]
-  std::vector<double> velocity_m_s;                    ///< [T*N*3] or empty
-  std::vector<double> force_N;                         ///< [T*N*3] or empty
-  std::vector<double> mass_kg;                         ///< [N] or empty
-  std::vector<std::int32_t> region;                    ///< [N] or empty; index in region_names
-  std::vector<std::string> region_names;               //
-  std::vector<std::int32_t> rigid;                     ///< [N] or empty; index in rigid_names
-  std::vector<std::string> rigid_names;                ///< the first: carried by no rigid component
-  std::vector<std::array<std::int32_t, 3>> triangles;  ///< [M]
-  std::vector<std::int32_t> triangle_component;        ///< [M] or empty; index in component_names
-  std::vector<std::string> component_names;            //
-  std::vector<std::array<std::int32_t, 2>> fibres;     ///< [F]
+  std::size_t particles = 0;                            ///< N; 0 leaves the trajectory out of the file
+  std::vector<double> time_s;                           ///< [T]
+  std::vector<std::int64_t> step;                       ///< [T]
+  std::vector<double> position_m;                       ///< [T*N*3]
+  std::vector<double> velocity_m_s;                     ///< [T*N*3] or empty
+  std::vector<double> force_N;                          ///< [T*N*3] or empty
+  std::vector<double> mass_kg;                          ///< [N] or empty
+  std::vector<std::int32_t> region;                     ///< [N] or empty; index in region_names
+  std::vector<std::string> region_names;                //
+  std::vector<std::int32_t> rigid;                      ///< [N] or empty; index in rigid_names
+  std::vector<std::string> rigid_names;                 ///< the first: carried by no rigid component
+  std::vector<std::array<std::int32_t, 3>> triangles;   ///< [M]
+  std::vector<std::int32_t> triangle_component;         ///< [M] or empty; index in component_names
+  std::vector<std::string> component_names;             //
+  std::vector<std::array<std::int32_t, 2>> fibres;      ///< [F]
+  std::vector<std::vector<std::int32_t>> muscle_lines;  ///< [L], each as long; or empty
 };
 
 /// One simulation. `measures` is the Table 1 row. The curve named `dV_model`, when there is one, is

@@ -79,9 +79,9 @@ void write_particles(hid_t group, const Trajectory& trajectory) {
   }
 }
 
-template <std::size_t Corners>
+template <class Cell>
 void write_cells(hid_t group, hid_t connectivity, const hdf5::Label& label, const Axis& cell,
-                 const Axis& corner, const std::vector<std::array<std::int32_t, Corners>>& cells) {
+                 const Axis& corner, const std::vector<Cell>& cells) {
   std::vector<std::int32_t> flat;
   for (const auto& one : cells) flat.insert(flat.end(), one.begin(), one.end());
   hdf5::refer_to(write_array(connectivity, label, flat, {cell, corner}), "particles_group", group,
@@ -100,10 +100,21 @@ void write_connectivity(hid_t group, const Trajectory& trajectory) {
                             trajectory.triangle_component, {triangle}),
                 trajectory.component_names);
   }
-  if (trajectory.fibres.empty()) return;
-  const Axis fibre = write_count_axis(connectivity, {"fibre", "1", "muscle fibre"}, trajectory.fibres.size());
-  const Axis end = write_count_axis(connectivity, {"fibre_end", "1", "end of a fibre"}, 2);
-  write_cells(group, connectivity, {"fibres", "1", "particle at each end"}, fibre, end, trajectory.fibres);
+  if (!trajectory.fibres.empty()) {
+    const Axis fibre =
+        write_count_axis(connectivity, {"fibre", "1", "muscle fibre"}, trajectory.fibres.size());
+    const Axis end = write_count_axis(connectivity, {"fibre_end", "1", "end of a fibre"}, 2);
+    write_cells(group, connectivity, {"fibres", "1", "particle at each end"}, fibre, end, trajectory.fibres);
+  }
+  if (!trajectory.muscle_lines.empty()) {
+    const auto& lines = trajectory.muscle_lines;
+    const Axis line =
+        write_count_axis(connectivity, {"muscle_line", "1", "line of the muscle's course"}, lines.size());
+    const Axis point = write_count_axis(
+        connectivity, {"line_point", "1", "place on a line, from the ribs up"}, lines.front().size());
+    write_cells(group, connectivity, {"muscle_lines", "1", "particle at each place of a line"}, line, point,
+                lines);
+  }
 }
 
 }  // namespace

@@ -1,0 +1,89 @@
+"""How the abdomen keeps its volume while the ribs are not crossed and rigid parts stay rigid."""
+
+import numpy as np
+
+from oracle.elasticity import dot
+from oracle.volume import enclosed_volume, increasing_root, volume_gradient
+
+ROUND_OFF = 2.0**-50  # of the volume
+
+
+class VolumeAndRibs:
+    """Moves predicted positions to the target volume along d = dV/dx / (m + dt c), and back onto a rib plane where
+    outside of it. Free rigid parts move as under an impulse along dV/dx."""
+
+    def __init__(self, body):
+        self.body, self.friction = body, body.friction
+        supports = len(body.ribs.particles)
+        self.touching = np.zeros(supports, bool)
+        self.sticking = np.zeros(supports, bool)
+        self.press = np.zeros(supports)  # m, how far the surfaces put particles back at the last step
+        self.multiplier = 0.0
+
+    def with_supports(self, positions, planes, where):
+        """A copy in which those particles are on their planes."""
+        particles = self.body.ribs.particles
+        positions = positions.copy()
+        at = positions[:, particles]
+        positions[:, particles] = np.where(where, planes.projected(at), at)
+        return positions
+
+    def direction(self, predicted, planes):
+        """d, with dV/dx where those that touched at the last step are on their plane, from either side."""
+        body = self.body
+        gradient = volume_gradient(self.with_supports(predicted, planes, self.touching), body.anatomy.surface)
+        for part in body.free:
+            part.prepare(gradient)
+        return body.mobility * gradient / body.effective_mass
+
+    def rub(self, predicted, positions, planes, direction):
+        """Coulomb's law for those that touched at the last step, with the push and the multiplier of that step. A
+        particle that would slide along the (moving) surface by less than friction times the push sticks, that is,
+        goes where the surface goes and is not corrected along it; another slides less far by that much."""
+        particles = self.body.ribs.particles
+        stays = positions[:, particles] + planes.moved_on
+        own = planes.along(predicted[:, particles] - stays)
+        slide = planes.along(predicted[:, particles] + self.multiplier * direction[:, particles] - stays)
+        length, limit = np.sqrt(dot(slide, slide)), self.friction * self.press
+        self.sticking = self.touching & (length < limit)
+        held_back = np.where(self.sticking, own, limit / np.maximum(length, 1e-150) * slide)
+        predicted = predicted.copy()
+        predicted[:, particles] -= np.where(self.touching, held_back, 0.0)
+        return predicted
+
+    def solve(self, predicted, positions, planes, volume):
+        """Positions of the target volume."""
+        body, particles = self.body, self.body.ribs.particles
+        direction = self.direction(predicted, planes)
+        if self.friction > 0.0:
+            predicted = self.rub(predicted, positions, planes, direction)
+        held = np.zeros(predicted.shape[1], bool)
+
+        def corrected(multiplier):
+            free = predicted + multiplier * direction
+            outside = planes.excess(free[:, particles]) > 0.0
+            held[particles] = outside & self.sticking
+            places = self.with_supports(np.where(held, predicted, free), planes, outside)
+            for part in body.free:
+                places[:, part.particles] = part.corrected(multiplier)
+            return places
+
+        def excess_volume(multiplier):
+            return enclosed_volume(corrected(multiplier), body.anatomy.surface) - volume
+
+        guess = -2.0 * excess_volume(0.0) / self.compliance(predicted, direction)
+        self.multiplier = increasing_root(excess_volume, guess, ROUND_OFF * volume)
+        excess = planes.excess((predicted + self.multiplier * direction)[:, particles])
+        self.touching, self.press = excess > 0.0, np.maximum(excess, 0.0)
+        for part in body.free:
+            part.accept(self.multiplier)
+        return corrected(self.multiplier)
+
+    def compliance(self, predicted, direction):
+        """About dV by unit of the multiplier, m5/(N s2): only to begin the search with."""
+        body = self.body
+        gradient = volume_gradient(predicted, body.anatomy.surface)
+        direction = direction.copy()
+        for part in body.free:
+            direction[:, part.particles] = part.push
+        return (gradient * direction).sum()
