@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <optional>
 
 #include "errors/input_error.hpp"
 #include "io/text_file.hpp"
@@ -63,20 +64,29 @@ RegionLoad region_load(const pml::Load& load, const std::string& file) {
   return result;
 }
 
+/// "3" or "0-3"; none where the text is neither.
+std::optional<pml::IndexRange> range_of(std::string_view item) {
+  pml::IndexRange range;
+  const char* stop = item.data() + item.size();
+  const auto low = std::from_chars(item.data(), stop, range.first);
+  if (low.ec != std::errc{}) return std::nullopt;
+  range.last = range.first;
+  if (low.ptr == stop) return range;
+  if (*low.ptr != '-') return std::nullopt;
+  const auto high = std::from_chars(low.ptr + 1, stop, range.last);
+  return high.ec == std::errc{} && high.ptr == stop ? std::optional(range) : std::nullopt;
+}
+
 std::vector<pml::Target> targets_of(const std::string& region) {
   std::vector<pml::Target> targets;
   for (std::size_t begin = 0; begin <= region.size();) {
     const std::size_t end = std::min(region.find(',', begin), region.size());
     const std::string item = region.substr(begin, end - begin);
-    pml::IndexRange range;
-    const char* stop = item.data() + item.size();
-    const auto low = std::from_chars(item.data(), stop, range.first);
-    range.last = range.first;
+    const auto range = range_of(item);
     if (item == "*")
       targets.emplace_back(pml::AllAtoms{});
-    else if (low.ec == std::errc{} &&
-             (low.ptr == stop || std::from_chars(low.ptr + 1, stop, range.last).ptr == stop))
-      targets.emplace_back(range);
+    else if (range)
+      targets.emplace_back(*range);
     else
       targets.emplace_back(pml::ComponentName{item});
     begin = end + 1;
@@ -93,9 +103,13 @@ pml::Load load_of(const RegionLoad& load) {
   pml::Axes axes;
   const double direction[] = {load.direction.x(), load.direction.y(), load.direction.z()};
   const double imposed[] = {load.axes.x(), load.axes.y(), load.axes.z()};
+  const bool displaces = load.kind == Kind::displacement;
+  const bool undirected = dot(load.direction, load.direction) == 0.0;  // LML wants an axis all the same
   for (std::size_t k = 0; k < 3; ++k) {
-    if (direction[k] != 0.0) axes[k] = {pml::Axis::Kind::along, direction[k]};
-    if (direction[k] == 0.0 && imposed[k] != 0.0) axes[k] = {pml::Axis::Kind::fixed, 0.0};
+    const bool acts = displaces ? imposed[k] != 0.0 : undirected || direction[k] != 0.0;
+    if (!acts) continue;
+    const bool held = displaces && direction[k] == 0.0;
+    axes[k] = {held ? pml::Axis::Kind::fixed : pml::Axis::Kind::along, direction[k]};
   }
   pml::Load result;
   result.type = type;

@@ -41,8 +41,8 @@ RegionLoad load_of(const toml::table& table, const LoadKey& keys, const TomlPlac
     }
   }
   if (!has_axes) load.axes = without_magnitude(load.direction);
-  const bool idle =
-      must_point && dot(load.direction, load.direction) == 0.0 && dot(load.axes, load.axes) == 0.0;
+  const Vec3d& acts_along = load.kind == RegionLoad::Kind::displacement ? load.axes : load.direction;
+  const bool idle = must_point && dot(acts_along, acts_along) == 0.0;
   if (load.region.empty() || load.magnitude.empty() || idle)
     place.fail(fmt::format("[[{}]] is incomplete, expected region,{} and {}", kind,
                            must_point ? " a direction that is not zero" : "", keys.events));
