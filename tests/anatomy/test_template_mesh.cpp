@@ -191,6 +191,25 @@ TEST_CASE("The abdomen's volume converges with the mesh, to second order", "[pro
   CHECK(std::abs(v[2] / v[1] - 1.0) < 0.02);
 }
 
+TEST_CASE("A finer mesh lies on a smooth profile, not on the chords of the coarse one", "[unit][anatomy]") {
+  const TrunkMesh mesh = mesh_at(2);
+  const auto& lines = mesh.muscle_lines;  // at its end: top of the zone, flank, border of the tendon
+  for (const auto& line : lines) {
+    const auto from_end = [&](std::size_t k) { return mesh.rest[at(line[line.size() - 1 - k])]; };
+    const Vec3d border = from_end(0), flank = from_end(1), top = from_end(2);
+    CHECK(norm(flank - 0.5 * (border + top)) > 2e-3);
+    const double size = norm(flank - Vec3d{0, 0, flank.z()});
+    CHECK(size < norm(top - Vec3d{0, 0, top.z()}));  // nothing bulges
+    CHECK(size > norm(border - Vec3d{0, 0, border.z()}));
+    CHECK(flank.z() > top.z());
+    CHECK(flank.z() < border.z());
+  }
+  for (int i : mesh.named("abdominal_wall")) {  // where the coarse one is a cylinder, so is the fine one
+    const Vec3d p = mesh.rest[at(i)];
+    CHECK(std::hypot(p.x() / 0.160, p.y() / 0.105) == Approx(1.0).epsilon(1e-12));
+  }
+}
+
 TEST_CASE("A resolution that is none is refused", "[unit][anatomy]") {
   for (const int r : {-1, 0, 17}) CHECK_THROWS_WITH(mesh_at(r), Contains("expected 1 to 16"));
 }

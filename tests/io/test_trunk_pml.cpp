@@ -138,7 +138,9 @@ TEST_CASE("A trunk from PML moves as the one it was written from", "[property][i
     s.activation.rise_s = 0.1;
     const auto moved = after_steps(s, 200);
     CHECK(largest(difference(moved, make_trunk(s).model.rest)) > 1e-4);
-    CHECK(largest(difference(after_steps(from_pml(s, trunk_pml(s)), 200), moved)) <= 1e-14);
+    const double apart = largest(difference(after_steps(from_pml(s, trunk_pml(s)), 200), moved));
+    CAPTURE(apart);
+    CHECK(apart <= 1e-14);
   }
 }
 
@@ -247,11 +249,11 @@ TEST_CASE("A PML that is no trunk: the message names the file, what was found an
   for (const char* name : {"apposition_top", "apposition_middle", "dome_top_left", "dome_top_right"})
     cases.push_back({without(good, name), {name}});
   const std::string abdomen = component_of(good, "abdomen");
-  const auto open = [&] {
-    const auto begin = abdomen.find("<cell>"), end = abdomen.find("</cell>") + 7;
-    return with(good, abdomen, abdomen.substr(0, begin) + abdomen.substr(end));
-  };
-  cases.push_back({open(), {"abdomen"}});
+  for (const char* name : {"abdomen", "lung"}) {  // a hole
+    const std::string closed = component_of(good, name);
+    const auto begin = closed.find("<cell>"), end = closed.find("</cell>") + 7;
+    cases.push_back({with(good, closed, closed.substr(0, begin) + closed.substr(end)), {name, "edge"}});
+  }
   const std::string lines = component_of(good, "muscle_lines");
   const auto reference = lines.find("<atomRef"), reference_end = lines.find("/>", reference) + 2;
   cases.push_back({with(good, lines, lines.substr(0, reference) + lines.substr(reference_end)),
