@@ -59,6 +59,9 @@ RegionLoad region_load(const pml::Load& load, const std::string& file) {
   const auto bound = [&](std::size_t k) { return (*axes)[k].kind == pml::Axis::Kind::free ? 0.0 : 1.0; };
   result.direction = {factor(0), factor(1), factor(2)};
   if (result.kind == Kind::displacement) result.axes = {bound(0), bound(1), bound(2)};
+  const bool needs_direction = result.kind == Kind::force || result.kind == Kind::acceleration;
+  if (needs_direction && dot(result.direction, result.direction) == 0.0)
+    fail("a direction of zero, expected a number other than 0 for x, y or z");
   result.region = text_of(load.targets);
   result.magnitude = pml::course(load, pml::to_si(load));
   return result;

@@ -18,6 +18,7 @@ Vec3d without_magnitude(const Vec3d& d) {
 
 RegionLoad load_of(const toml::table& table, const LoadKey& keys, const TomlPlace& place) {
   const bool must_point = keys.kind != RegionLoad::Kind::pressure;
+  const bool needs_direction = must_point && keys.kind != RegionLoad::Kind::displacement;  // that may hold
   const std::string kind(keys.table);
   RegionLoad load;
   load.kind = keys.kind;
@@ -30,6 +31,8 @@ RegionLoad load_of(const toml::table& table, const LoadKey& keys, const TomlPlac
       load.region = *value.value_exact<std::string>();
     } else if (key == "direction") {
       load.direction = direction_of(value, kind + ".direction", at);
+      if (needs_direction && dot(load.direction, load.direction) == 0.0)
+        at.fail(kind + ".direction is zero, expected a direction");
     } else if (key == "axes" && keys.kind == RegionLoad::Kind::displacement) {
       load.axes = without_magnitude(direction_of(value, kind + ".axes", at));
       has_axes = true;

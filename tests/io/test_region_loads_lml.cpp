@@ -192,6 +192,7 @@ TEST_CASE("Loads written as LML and read again are the same", "[property][io]") 
       load.region = regions[random.bits() % (std::size(regions) - 2)];
       const auto some = [&] { return random.unit() < 0.4 ? 0.0 : random.between(-2, 2); };
       load.direction = {some(), some(), some()};
+      if (load.kind == Kind::force || load.kind == Kind::acceleration) load.direction += Vec3d{0, 0, 3};
       if (load.kind == Kind::displacement) {
         const auto mark = [&] { return random.unit() < 0.5 ? 1.0 : 0.0; };
         load.axes = {mark(), mark(), 1.0};
@@ -261,6 +262,8 @@ TEST_CASE("What loads cannot do is refused with file and line", "[unit][io]") {
   };
   refused(load("Rotation", "pelvis", "z='1'", "deg"), {"Rotation", "[[rigid]]", "events_deg"});
   refused(load("Force", "pelvis", "toward='3'"), {"toward", "x, y and z"});
+  refused(load("Force", "pelvis", "x='0' y='NULL'"), {"direction of zero"});
+  refused(load("Acceleration", "pelvis", "z='0'"), {"direction of zero"});
   refused(load("Force", "liver", "z='1'"), {"'liver'", "abdominal_wall", "dome_top_right"});
   refused(load("Force", "pelvis,liver", "z='1'"), {"'liver'"});
   refused(load("Force", "113", "z='1'"), {"'113'", "0 to 112"});

@@ -261,6 +261,7 @@ TEST_CASE("Bad tables of a scenario name file, line, what was found and what was
       {"[[pressure]]\nregion = \"pelvis\"\n", ":1:", {"incomplete", "events_cmH2O"}},
       {"[[pressure]]\nregion = \"pelvis\"\naxes = [0, 0, 1]\n", ":3:", {"axes"}},
       {"[[acceleration]]\nregion = \"*\"\nevents_m_s2 = [[0, 1]]\n", ":1:", {"incomplete", "direction"}},
+      {"[[acceleration]]\nregion = \"*\"\ndirection = [0, 0, 0]\nevents_m_s2 = [[0, 1]]\n", ":3:", {"zero"}},
       {"[[acceleration]]\nregion = \"*\"\nevents_N = [[0, 1]]\n", ":3:", {"events_N", "events_m_s2"}},
       {"[[displacement]]\nregion = \"60\"\naxes = [0, 0, 0]\ndirection = [0, 0, 1]\nevents_mm = [[0, 1]]\n",
        ":1:",
