@@ -8,13 +8,11 @@
 namespace trunk {
 namespace {
 
-constexpr double ml = 1e-6;
-
 std::vector<NamedValue> statistics_of(const Estimation& e) {
   std::vector<NamedValue> s = {
       {"nrmse_percent", "percent", 100.0 * e.quality.nrmse},
-      {"tidal_volume_measured_ml", "ml", e.quality.tidal_volume_m3 / ml},
-      {"tidal_volume_error_ml", "ml", e.quality.tidal_volume_error_m3 / ml},
+      {"tidal_volume_measured_ml", "ml", 1e6 * e.quality.tidal_volume_m3},
+      {"tidal_volume_error_ml", "ml", 1e6 * e.quality.tidal_volume_error_m3},
       {"peak_time_error_s", "s", e.quality.peak_time_error_s},
       {"baseline_nrmse_percent", "percent", 100.0 * e.quality.baseline_nrmse},
       {"failed_evaluations", "1", static_cast<double>(e.failures)},

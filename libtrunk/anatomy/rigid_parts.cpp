@@ -85,6 +85,10 @@ void add_rigid_parts(const TrunkMesh& mesh, const Tissue& tissue, const std::vec
   for (const RigidPart& part : parts) {
     const RigidBody body = body_of(mesh, part);
     claimed.insert(body.particles.begin(), body.particles.end());
+    if (part.motion == RigidBody::Motion::free && !part.surface_for.empty())
+      throw InputError(
+          fmt::format("{}: the rigid part '{}' is free and has a surface, expected a fixed or driven one",
+                      part.origin, part.region));
     if (!part.surface_for.empty())
       for (int i : selected_particles(mesh, part.surface_for, part.origin))
         if (!surface_of.emplace(i, static_cast<int>(model.bodies.size())).second)
@@ -108,11 +112,12 @@ void add_rigid_parts(const TrunkMesh& mesh, const Tissue& tissue, const std::vec
   for (const auto& [particle, body] : surface_of) {
     const auto place = places.find(particle);
     if (place == places.end() || place->second.row == 0)
-      throw InputError(
-          fmt::format("particle {} cannot slide along a rigid surface: it is not on a muscle line between "
-                      "the costal insertion and "
-                      "the top of the zone of apposition",
-                      particle));
+      throw InputError(fmt::format(
+          "{}particle {} cannot slide along a rigid surface, expected one on a muscle line between the "
+          "costal "
+          "insertion and the top of the zone of apposition",
+          body < static_cast<int>(parts.size()) ? parts[static_cast<std::size_t>(body)].origin + ": " : "",
+          particle));
     model.supports.push_back(support_at(mesh, particle, place->second, body));
   }
   model.friction = tissue.rib_friction;

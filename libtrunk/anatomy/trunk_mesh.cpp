@@ -70,12 +70,13 @@ std::vector<int> selected_particles(const TrunkMesh& mesh, const std::string& te
   std::set<int> particles;
   std::vector<int> range;
   const int count = static_cast<int>(mesh.rest.size());
-  if (text == "*" && add_range(fmt::format("0-{}", count - 1), range, count)) return range;
   for (std::size_t begin = 0; begin <= text.size();) {
     const std::size_t end = std::min(text.find(',', begin), text.size());
     const std::string item = text.substr(begin, end - begin);
     range.clear();
-    if (const auto& region = mesh.named(item); !region.empty())
+    if (item == "*" && add_range(fmt::format("0-{}", count - 1), range, count))
+      particles.insert(range.begin(), range.end());
+    else if (const auto& region = mesh.named(item); !region.empty())
       particles.insert(region.begin(), region.end());
     else if (add_range(item, range, count))
       particles.insert(range.begin(), range.end());

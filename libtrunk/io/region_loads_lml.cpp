@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <optional>
 
 #include "errors/input_error.hpp"
 #include "io/text_file.hpp"
@@ -58,9 +59,25 @@ RegionLoad region_load(const pml::Load& load, const std::string& file) {
   const auto bound = [&](std::size_t k) { return (*axes)[k].kind == pml::Axis::Kind::free ? 0.0 : 1.0; };
   result.direction = {factor(0), factor(1), factor(2)};
   if (result.kind == Kind::displacement) result.axes = {bound(0), bound(1), bound(2)};
+  const bool needs_direction = result.kind == Kind::force || result.kind == Kind::acceleration;
+  if (needs_direction && dot(result.direction, result.direction) == 0.0)
+    fail("a direction of zero, expected a number other than 0 for x, y or z");
   result.region = text_of(load.targets);
   result.magnitude = pml::course(load, pml::to_si(load));
   return result;
+}
+
+/// "3" or "0-3"; none where the text is neither.
+std::optional<pml::IndexRange> range_of(std::string_view item) {
+  pml::IndexRange range;
+  const char* stop = item.data() + item.size();
+  const auto low = std::from_chars(item.data(), stop, range.first);
+  if (low.ec != std::errc{}) return std::nullopt;
+  range.last = range.first;
+  if (low.ptr == stop) return range;
+  if (*low.ptr != '-') return std::nullopt;
+  const auto high = std::from_chars(low.ptr + 1, stop, range.last);
+  return high.ec == std::errc{} && high.ptr == stop ? std::optional(range) : std::nullopt;
 }
 
 std::vector<pml::Target> targets_of(const std::string& region) {
@@ -68,15 +85,11 @@ std::vector<pml::Target> targets_of(const std::string& region) {
   for (std::size_t begin = 0; begin <= region.size();) {
     const std::size_t end = std::min(region.find(',', begin), region.size());
     const std::string item = region.substr(begin, end - begin);
-    pml::IndexRange range;
-    const char* stop = item.data() + item.size();
-    const auto low = std::from_chars(item.data(), stop, range.first);
-    range.last = range.first;
+    const auto range = range_of(item);
     if (item == "*")
       targets.emplace_back(pml::AllAtoms{});
-    else if (low.ec == std::errc{} &&
-             (low.ptr == stop || std::from_chars(low.ptr + 1, stop, range.last).ptr == stop))
-      targets.emplace_back(range);
+    else if (range)
+      targets.emplace_back(*range);
     else
       targets.emplace_back(pml::ComponentName{item});
     begin = end + 1;
@@ -93,11 +106,13 @@ pml::Load load_of(const RegionLoad& load) {
   pml::Axes axes;
   const double direction[] = {load.direction.x(), load.direction.y(), load.direction.z()};
   const double imposed[] = {load.axes.x(), load.axes.y(), load.axes.z()};
-  // A pressure across its surface has no direction, but LML wants one: none along any axis.
-  const bool normal = load.kind == Kind::pressure && dot(load.direction, load.direction) == 0.0;
+  const bool displaces = load.kind == Kind::displacement;
+  const bool undirected = dot(load.direction, load.direction) == 0.0;  // LML wants an axis all the same
   for (std::size_t k = 0; k < 3; ++k) {
-    if (direction[k] != 0.0) axes[k] = {pml::Axis::Kind::along, direction[k]};
-    if (direction[k] == 0.0 && (imposed[k] != 0.0 || normal)) axes[k] = {pml::Axis::Kind::fixed, 0.0};
+    const bool acts = displaces ? imposed[k] != 0.0 : undirected || direction[k] != 0.0;
+    if (!acts) continue;
+    const bool held = displaces && direction[k] == 0.0;
+    axes[k] = {held ? pml::Axis::Kind::fixed : pml::Axis::Kind::along, direction[k]};
   }
   pml::Load result;
   result.type = type;

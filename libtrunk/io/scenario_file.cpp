@@ -136,6 +136,7 @@ class Reader {
         assign(*key, node, place);
       else if (!read_special(path, node, place, file_.scenario))
         descend(path, node, place);
+      if (path == "loads") file_.inputs.push_back(place.beside(*node.value_exact<std::string>()));
     }
   }
 
@@ -149,10 +150,18 @@ class Reader {
   ScenarioFile& file_;
 };
 
-/// Takes over a trunk in place of the one read before; a rigid part that the scenario describes itself is not
-/// taken from it.
-void adopt(TrunkFile trunk, const std::string& read_before, Scenario& scenario) {
-  std::erase_if(scenario.rigid, [&](const RigidPart& part) { return part.origin == read_before; });
+/// Forgets the trunk that was read, with the rigid parts it brought.
+void drop_mesh(ScenarioFile& file) {
+  file.scenario.mesh.reset();
+  std::erase_if(file.scenario.rigid, [&](const RigidPart& part) { return part.origin == file.mesh_read; });
+  file.mesh_read.clear();
+}
+
+/// Takes over a trunk; a rigid part that the scenario describes itself is not taken from it.
+void adopt(TrunkFile trunk, ScenarioFile& file) {
+  Scenario& scenario = file.scenario;
+  file.mesh_read = scenario.mesh_file;
+  for (RigidPart& part : trunk.rigid) part.origin = file.mesh_read;
   scenario.mesh = std::make_shared<const TrunkMesh>(std::move(trunk.mesh));
   for (RigidPart& part : trunk.rigid)
     if (std::none_of(scenario.rigid.begin(), scenario.rigid.end(),
@@ -163,14 +172,13 @@ void adopt(TrunkFile trunk, const std::string& read_before, Scenario& scenario) 
 /// Reads the trunk that the scenario names, unless it is there already.
 void read_mesh(ScenarioFile& file) {
   Scenario& s = file.scenario;
-  if (s.mesh_file.empty()) s.mesh.reset();
-  if (s.mesh_file.empty() || (s.mesh && file.mesh_read == s.mesh_file)) return;
+  if (s.mesh && file.mesh_read != s.mesh_file) drop_mesh(file);
+  if (s.mesh_file.empty() || s.mesh) return;
   try {
-    adopt(read_trunk_pml(s.mesh_file), file.mesh_read, s);
+    adopt(read_trunk_pml(s.mesh_file), file);
   } catch (const InputError& error) {
     throw InputError(fmt::format("{}: {}", file.where("geometry.pml"), error.what()));
   }
-  file.mesh_read = s.mesh_file;
   file.inputs.push_back(s.mesh_file);
 }
 
@@ -195,10 +203,7 @@ ScenarioFile scenario_of_text(const std::string& text, const std::string& name,
   file.path = name;
   file.text = text;
   Reader(file).read_text(text, name, 0);
-  if (!trunk_pml.empty()) {
-    adopt(trunk_of_pml(trunk_pml, name), "", file.scenario);
-    file.mesh_read = file.scenario.mesh_file;
-  }
+  if (!trunk_pml.empty()) adopt(trunk_of_pml(trunk_pml, name), file);
   read_mesh(file);
   return file;
 }
@@ -229,8 +234,11 @@ Trunk build_trunk(const ScenarioFile& file) {
   try {
     trunk = make_trunk(file.scenario);
   } catch (const InputError& error) {
-    for (const RegionLoad& load : file.scenario.loads)  // a load names its own line
-      if (std::string_view(error.what()).starts_with(load.origin + ": ")) throw;
+    const auto is_from = [&](const auto& it) {
+      return std::string_view(error.what()).starts_with(it.origin + ": ");
+    };
+    if (std::ranges::any_of(file.scenario.loads, is_from)) throw;  // it names its own line
+    if (std::ranges::any_of(file.scenario.rigid, is_from)) throw;
     throw at(file.path, error);
   }
   try {

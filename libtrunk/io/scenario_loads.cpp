@@ -18,6 +18,7 @@ Vec3d without_magnitude(const Vec3d& d) {
 
 RegionLoad load_of(const toml::table& table, const LoadKey& keys, const TomlPlace& place) {
   const bool must_point = keys.kind != RegionLoad::Kind::pressure;
+  const bool needs_direction = must_point && keys.kind != RegionLoad::Kind::displacement;  // that may hold
   const std::string kind(keys.table);
   RegionLoad load;
   load.kind = keys.kind;
@@ -30,8 +31,7 @@ RegionLoad load_of(const toml::table& table, const LoadKey& keys, const TomlPlac
       load.region = *value.value_exact<std::string>();
     } else if (key == "direction") {
       load.direction = direction_of(value, kind + ".direction", at);
-      const bool may_be_zero = keys.kind == RegionLoad::Kind::displacement;  // it may hold axes instead
-      if (!may_be_zero && dot(load.direction, load.direction) == 0.0)
+      if (needs_direction && dot(load.direction, load.direction) == 0.0)
         at.fail(kind + ".direction is zero, expected a direction");
     } else if (key == "axes" && keys.kind == RegionLoad::Kind::displacement) {
       load.axes = without_magnitude(direction_of(value, kind + ".axes", at));
@@ -44,8 +44,8 @@ RegionLoad load_of(const toml::table& table, const LoadKey& keys, const TomlPlac
     }
   }
   if (!has_axes) load.axes = without_magnitude(load.direction);
-  const bool idle =
-      must_point && dot(load.direction, load.direction) == 0.0 && dot(load.axes, load.axes) == 0.0;
+  const Vec3d& acts_along = load.kind == RegionLoad::Kind::displacement ? load.axes : load.direction;
+  const bool idle = must_point && dot(acts_along, acts_along) == 0.0;
   if (load.region.empty() || load.magnitude.empty() || idle)
     place.fail(fmt::format("[[{}]] is incomplete, expected region,{} and {}", kind,
                            must_point ? " a direction that is not zero" : "", keys.events));

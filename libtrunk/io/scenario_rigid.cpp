@@ -14,6 +14,11 @@ RigidBody::Motion motion_of(const toml::node& value, const TomlPlace& at) {
   at.fail(fmt::format("rigid.motion is {}, expected \"fixed\", \"driven\" or \"free\"", shown(value)));
 }
 
+/// Divided, so that it is read back to the bit.
+Vec3d in_mm(const Vec3d& a) {
+  return {a.x() / 1e-3, a.y() / 1e-3, a.z() / 1e-3};
+}
+
 }  // namespace
 
 RigidPart rigid_part_of(const toml::table& table, const TomlPlace& place) {
@@ -35,7 +40,8 @@ RigidPart rigid_part_of(const toml::table& table, const TomlPlace& place) {
     } else if (key == "axis") {
       imposed.axis = direction_of(value, "rigid." + key, at);
       if (dot(imposed.axis, imposed.axis) == 0.0) at.fail("rigid.axis is zero, expected a direction");
-      imposed.axis = (1.0 / norm(imposed.axis)) * imposed.axis;
+      const double length = norm(imposed.axis);
+      if (std::abs(length - 1.0) > 1e-15) imposed.axis = (1.0 / length) * imposed.axis;
     } else if (key == "events_deg") {
       imposed.angle = events_of(value, "rigid." + key, rad_per_degree, 0.0, at);
     } else if (key == "direction") {
@@ -54,6 +60,8 @@ RigidPart rigid_part_of(const toml::table& table, const TomlPlace& place) {
   if (moves != (part.motion == RigidBody::Motion::driven))
     place.fail(
         "[[rigid]] has events_deg or events_mm where its motion is not \"driven\", or none where it is");
+  if (!part.imposed.shift.empty() && dot(part.imposed.direction, part.imposed.direction) == 0.0)
+    place.fail("[[rigid]] has events_mm and no direction, expected one that is not zero");
   return part;
 }
 
@@ -75,7 +83,7 @@ std::string to_toml(const RigidPart& part) {
                                  motions[static_cast<std::size_t>(part.motion)]);
   if (!part.surface_for.empty()) text += "surface_for = " + toml_text(part.surface_for) + "\n";
   if (!m.angle.empty())
-    text += fmt::format("axis_point_mm = {}\naxis = {}\nevents_deg = {}\n", toml_direction(1e3 * m.point),
+    text += fmt::format("axis_point_mm = {}\naxis = {}\nevents_deg = {}\n", toml_direction(in_mm(m.point)),
                         toml_direction(m.axis), toml_events(m.angle, rad_per_degree));
   if (!m.shift.empty())
     text += fmt::format("direction = {}\nevents_mm = {}\n", toml_direction(m.direction),

@@ -43,6 +43,10 @@ class Reader {
  private:
   [[noreturn]] void fail(const std::string& text) const { throw InputError(file_, 0, text); }
 
+  [[noreturn]] void fail_twice(const std::string& name) const {
+    fail(fmt::format("component '{}' occurs twice, expected one of each name", name));
+  }
+
   TrunkMesh& mesh() { return result_.mesh; }
 
   double number(const std::string& text, const std::string& what, double low) const {
@@ -95,6 +99,10 @@ class Reader {
   void read_component(const pml::StructuralComponent& component, bool is_region) {
     const std::string* name = pml::find(component.attributes, "name");
     if (!name || *name == "Node Neighborhoods") return;
+    for (const auto& [known, is_there] :
+         {std::pair{"abdomen", !mesh().abdomen.empty()}, std::pair{"lung", !mesh().lung.empty()},
+          std::pair{"muscle_lines", !mesh().muscle_lines.empty()}})
+      if (is_there && *name == known) fail_twice(*name);
     if (*name == "abdomen")
       mesh().abdomen = triangles(component, *name);
     else if (*name == "lung")
@@ -139,8 +147,7 @@ class Reader {
   void add_named(const std::string& name, std::vector<int> particles, const pml::Attributes& attributes,
                  bool is_region) {
     Regions& regions = is_region ? mesh().regions : mesh().landmarks;
-    if (!mesh().named(name).empty())
-      fail(fmt::format("component '{}' occurs twice, expected one of each name", name));
+    if (!mesh().named(name).empty()) fail_twice(name);
     regions[name] = std::move(particles);
     const std::string* motion = pml::find(attributes, "rigid");
     if (!motion) return;

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "io/trunk_pml.hpp"
 #include "pml/write_pml.hpp"
 
@@ -12,12 +14,14 @@ std::string digits(double value) {
 
 std::vector<pml::Atom> atoms_of(const TrunkMesh& mesh, const TrunkMesh::Given& given) {
   std::vector<pml::Atom> atoms;
-  for (std::size_t i = 0; i < mesh.rest.size(); ++i)
-    atoms.push_back({i,
-                     1e3 * mesh.rest[i],
-                     {{"mass", digits(given.mass[i])},
-                      {"stiffness", digits(given.stiffness[i])},
-                      {"damping", digits(given.damping[i])}}});
+  for (std::size_t i = 0; i < mesh.rest.size(); ++i) {
+    atoms.push_back({i, 1e3 * mesh.rest[i], {}});
+    for (const auto& [name, field] :
+         {std::pair{"mass", &given.mass}, std::pair{"stiffness", &given.stiffness},
+          std::pair{"damping", &given.damping}})
+      if (i < field->size() && std::isfinite((*field)[i]))
+        atoms.back().attributes.push_back({name, digits((*field)[i])});
+  }
   return atoms;
 }
 
@@ -47,7 +51,8 @@ pml::StructuralComponent neighbourhoods_of(const TrunkMesh& mesh) {
 }
 
 pml::StructuralComponent muscle_lines_of(const TrunkMesh& mesh, double strength) {
-  pml::StructuralComponent component{{{"name", "muscle_lines"}, {"strength", digits(strength)}}, {}, {}};
+  pml::StructuralComponent component{{{"name", "muscle_lines"}}, {}, {}};
+  if (strength > 0.0) component.attributes.push_back({"strength", digits(strength)});
   for (const auto& line : mesh.muscle_lines) component.items.push_back(cell_of("POLY_LINE", line));
   return component;
 }

@@ -65,6 +65,12 @@ void require_references(const Model& m) {
         fmt::format("particle {} is supported by a body that does not exist or is free; expected a fixed or "
                     "driven one",
                     s.particle));
+  for (const Support& s : m.supports)
+    require(finite(s.point) && finite(s.normal) && finite(s.curvature[0]) && finite(s.curvature[1]) &&
+                finite(s.curvature[2]),
+            fmt::format("the rigid surface at particle {} has no direction; expected muscle lines apart from "
+                        "each other",
+                        s.particle));
   for (const MembraneEdge& e : m.membrane)
     require(exists(e.a) && exists(e.b) && e.rest_length > 0 && e.stiffness >= 0,
             fmt::format("membrane edge {}-{}: expected two particles apart and a stiffness of 0 or more", e.a,

@@ -26,6 +26,8 @@ Scenario unusual(Random& random) {
   for (const ScenarioKey& key : scenario_keys()) {
     if (const auto* n = std::get_if<ScenarioKey::Number>(&key.kind))
       n->field(s) = n->to_si * random.between(n->low, std::min(n->high, n->low + 1000.0));
+    if (const auto* i = std::get_if<ScenarioKey::Integer>(&key.kind))
+      i->field(s) = i->low + 1 + static_cast<int>(random.bits() % static_cast<unsigned>(i->high - i->low));
     if (const auto* c = std::get_if<ScenarioKey::Choice>(&key.kind))
       c->set(s, static_cast<int>(c->names.size()) - 1);
     if (const auto* b = std::get_if<ScenarioKey::Switch>(&key.kind)) b->field(s) = !b->field(s);
@@ -33,6 +35,73 @@ Scenario unusual(Random& random) {
       t->field(s) = R"(a "quoted" back\slash = [x] # no comment, µ)";
   }
   return s;
+}
+
+PiecewiseLinear random_course(Random& random, double size) {
+  return PiecewiseLinear({{random.unit(), random.between(-size, size)},
+                          {1.0 + random.unit(), random.between(-size, size)},
+                          {2.0 + random.unit(), size / 3.0}});
+}
+
+/// One of each kind, by the names of their tables, as they are read: the order of kinds has no meaning.
+std::vector<RegionLoad> random_loads(Random& random) {
+  using enum RegionLoad::Kind;
+  std::vector<RegionLoad> loads;
+  for (const RegionLoad::Kind kind : {acceleration, displacement, force, pressure, pressure}) {
+    RegionLoad load;
+    load.kind = kind;
+    load.region = random.unit() < 0.5 ? "abdominal_wall,0-3" : "*";
+    load.direction = random.vector(2.0);
+    if (kind == displacement) load.axes = {1, 0, random.unit() < 0.5 ? 1.0 : 0.0};
+    if (kind == pressure && random.unit() < 0.5) load.direction = {};
+    load.magnitude = random_course(random, 10.0);
+    loads.push_back(load);
+  }
+  return loads;
+}
+
+std::vector<RigidPart> random_parts(Random& random) {
+  using enum RigidBody::Motion;
+  std::vector<RigidPart> parts;
+  for (const auto motion : {fixed, driven, free, driven}) {
+    RigidPart part;
+    part.region = "a \"part\"";
+    part.motion = motion;
+    if (random.unit() < 0.5) part.surface_for = "zone_of_apposition";
+    const bool turns = random.unit() < 0.6;
+    if (motion == driven && turns) {
+      part.imposed.point = random.vector(0.5);
+      const Vec3d axis = random.vector(1.0);
+      part.imposed.axis = (1.0 / norm(axis)) * axis;
+      part.imposed.angle = random_course(random, 0.2);
+    }
+    if (motion == driven && (!turns || random.unit() < 0.5)) {
+      part.imposed.direction = random.vector(1.0);
+      part.imposed.shift = random_course(random, 0.01);
+    }
+    parts.push_back(part);
+  }
+  return parts;
+}
+
+void check_equal(const PiecewiseLinear& a, const PiecewiseLinear& b) {
+  REQUIRE(a.events().size() == b.events().size());
+  for (std::size_t k = 0; k < a.events().size(); ++k) {
+    CHECK(a.events()[k].time_s == b.events()[k].time_s);
+    CHECK(a.events()[k].value == Approx(b.events()[k].value).epsilon(1e-15));
+  }
+}
+
+void check_equal(const RigidPart& a, const RigidPart& b) {
+  CHECK(a.region == b.region);
+  CHECK(a.motion == b.motion);
+  CHECK(a.surface_for == b.surface_for);
+  check_equal(a.imposed.angle, b.imposed.angle);
+  check_equal(a.imposed.shift, b.imposed.shift);
+  CHECK(norm(a.imposed.direction - b.imposed.direction) == 0.0);
+  if (a.imposed.angle.empty()) return;
+  CHECK(norm(a.imposed.point - b.imposed.point) < 1e-15);
+  CHECK(norm(a.imposed.axis - b.imposed.axis) < 1e-15);
 }
 
 void check_equal(const Scenario& a, const Scenario& b) {
@@ -95,19 +164,8 @@ TEST_CASE("A scenario written and read again is the same", "[property][io]") {
     Scenario s = i == 0 ? Scenario{} : unusual(random);
     if (i > 1) s.gravity = {0.0, random.between(-1, 1), -9.81};
     if (i > 2) s.abdominal_volume = PiecewiseLinear({{0.0, 1.0}, {random.between(0.1, 2), 1.1}}, 1.0);
-    if (i > 3)  // displacements before forces, as they are read: the order of kinds has no meaning
-      s.loads = {{RegionLoad::Kind::displacement,
-                  "pelvis",
-                  {1, 0, 0},
-                  {1, 1, 0},
-                  PiecewiseLinear({{0.5, 0.003}}),
-                  ""},
-                 {RegionLoad::Kind::force,
-                  "abdominal_wall",
-                  {0, -1, 0.5},
-                  {},
-                  PiecewiseLinear({{0.0, 1.0 / 3.0}}),
-                  ""}};
+    if (i > 3) s.loads = random_loads(random);
+    if (i > 4) s.rigid = random_parts(random);
     const std::string text = to_toml(s);
     INFO(text);
     const ScenarioFile file = read_scenario(folder.write("again.toml", text));
@@ -121,8 +179,12 @@ TEST_CASE("A scenario written and read again is the same", "[property][io]") {
       CHECK(again.loads[k].kind == s.loads[k].kind);
       CHECK(again.loads[k].region == s.loads[k].region);
       CHECK(norm(again.loads[k].direction - s.loads[k].direction) == 0.0);
-      CHECK(again.loads[k].magnitude(1.0) == Approx(s.loads[k].magnitude(1.0)).epsilon(1e-15));
+      if (s.loads[k].kind == RegionLoad::Kind::displacement)
+        CHECK(norm(again.loads[k].axes - s.loads[k].axes) == 0.0);
+      check_equal(again.loads[k].magnitude, s.loads[k].magnitude);
     }
+    REQUIRE(again.rigid.size() == s.rigid.size());
+    for (std::size_t k = 0; k < s.rigid.size(); ++k) check_equal(again.rigid[k], s.rigid[k]);
     CHECK(to_toml(again) == text);
   }
 }
