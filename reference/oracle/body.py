@@ -28,10 +28,10 @@ class Body:
         fraction = np.array(s.get("abdominal_volume_fraction", [[0.0, 1.0]]), float).T
         self.target = lambda t: self.volume * np.interp(t, *fraction, left=1.0)
 
-        self.set_elasticity(s)
         self.mobility = np.ones_like(self.rest)
         self.mobility[:, self.anatomy.names["fixed"]] = 0.0
         self.set_rigid_parts(s)
+        self.set_elasticity(s)
         self.set_loads(s)
         self.ribs.keep(self.mobility[:, self.ribs.particles].all(axis=0))
         carried = np.zeros(self.rest.shape[1], int)
@@ -42,12 +42,16 @@ class Body:
 
     def set_elasticity(self, s):
         self.published = s["tissue"]["reaction"] == "published"
+        held = ~self.mobility.any(axis=0)
+        for part in self.free:
+            held[part.particles] = False
+        stiffness = self.tissue.stiffness * np.where(held, s["tissue"]["held_stiffness_factor"], 1.0)
         rings = rings_of(self.anatomy.surface, self.rest)
         self.rings = []
         for valence in sorted({len(ring) for ring in rings.values()}):
             members = np.array([[v, *ring] for v, ring in rings.items() if len(ring) == valence]).T
             for part in np.array_split(members, -(-members.shape[1] // RINGS_AT_ONCE), axis=1):
-                self.rings.append(RingGroup(part, self.tissue.stiffness[part[0]], self.rest))
+                self.rings.append(RingGroup(part, stiffness[part[0]], self.rest))
         per_edge = s["tissue"]["membrane_stiffness_N_per_m"]
         self.membranes = [Membrane(self.anatomy.surface, self.rest, per_edge)] if per_edge > 0.0 else []
 

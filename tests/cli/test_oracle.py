@@ -14,7 +14,8 @@ LIMIT_S = 300  # all of it takes about 50 s on an idle core
 TEXT = "parameters/scenario_toml"
 BREATH = ("--set", "time.dt_ms=3")  # whole, by 1500 steps
 SHORT = (*BREATH, "--set", "time.duration_s=1.2")  # 400 steps
-RUBBING = ("--set", "tissue.rib_friction=0.3", "--set", "tissue.membrane_stiffness_N_per_m=30")
+RUBBING = ("--set", "tissue.rib_friction=0.3", "--set", "tissue.membrane_stiffness_N_per_m=30",
+           "--set", "tissue.held_stiffness_factor=2")
 
 # Both halves of the rib cage turn about a front-to-back axis at the top of the lung; the left one also shifts.
 BUCKET_HANDLE = """
