@@ -38,7 +38,7 @@ def main():
     width = 2 + max(10, *(len(path.stem) for path in paths))
     print(f"{'':30}" + "".join(f"{path.stem:>{width}}" for path in paths) + f"{'change':>10}")
     for name, label, unit in ROWS:
-        values = [column[name] for column in columns]
+        values = [round(column[name], 2) + 0.0 for column in columns]  # no -0.00
         change = f"{100 * (values[-1] / values[0] - 1):+9.0f}%" if unit == "ml" else f"{values[-1] - values[0]:+10.2f}"
         print(f"{label:30}" + "".join(f"{value:>{width}.2f}" for value in values) + change + f" {unit}")
 
