@@ -15,10 +15,6 @@ using Catch::Matchers::Contains;
 
 namespace {
 
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
-
 /// A half of the rib cage that swings outward by `degrees` until 2 s and back until 4 s: the handle of a
 /// bucket, hinged on an axis from back to front through the top of the lung.
 RigidPart swinging_half(const Scenario& scenario, const std::string& side, double degrees) {

@@ -13,10 +13,6 @@ using Catch::Matchers::Contains;
 
 namespace {
 
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
-
 Trunk default_trunk(const Tissue& tissue = {}) {
   return make_template_trunk(TrunkGeometry{}, tissue, Reaction::variational);
 }

@@ -11,20 +11,15 @@
 #include "pml/read_lml.hpp"
 #include "pml/write_lml.hpp"
 #include "support/random.hpp"
+#include "support/shared_data.hpp"
 
 using namespace trunk;
 using namespace trunk::pml;
 using Catch::Matchers::Contains;
 using trunk::test::Random;
+using trunk::test::shared_surface;
 
 namespace {
-
-std::string shared_file(const std::string& name) {
-  const auto path = std::filesystem::path(TRUNK_SHARED_DATA) / "surfaces" / name;
-  std::ifstream file(path, std::ios::binary);
-  if (!file) WARN("skipped: no " << path);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
 
 constexpr Axis fixed{Axis::Kind::fixed, 0.0};
 constexpr Axis along(double factor) {
@@ -106,7 +101,7 @@ Load random_load(Random& random) {
 }  // namespace
 
 TEST_CASE("The published compressions are read, loads in comments are not", "[unit][lml]") {
-  const std::string text = shared_file("compression-12.lml");
+  const std::string text = shared_surface("compression-12.lml");
   if (text.empty()) return;
   const Loads read = read_lml(text, "compression-12.lml");
   REQUIRE(read.loads.size() == 2);
@@ -132,7 +127,7 @@ TEST_CASE("The published compressions are read, loads in comments are not", "[un
 
 TEST_CASE("Published loads survive writing", "[unit][lml]") {
   for (const char* name : {"compression-12.lml", "compression-18.lml"}) {
-    const std::string text = shared_file(name);
+    const std::string text = shared_surface(name);
     if (text.empty()) continue;
     const Loads read = read_lml(text, name);
     REQUIRE(read.loads.size() == 2);

@@ -10,20 +10,14 @@
 #include "pml/read_pml.hpp"
 #include "pml/write_pml.hpp"
 #include "support/random.hpp"
+#include "support/shared_data.hpp"
 
 using namespace trunk;
 using namespace trunk::pml;
 using trunk::test::Random;
+using trunk::test::shared_surface;
 
 namespace {
-
-/// A file of the shared data; empty with a warning when it is not there.
-std::string shared_file(const std::string& name) {
-  const auto path = std::filesystem::path(TRUNK_SHARED_DATA) / "surfaces" / name;
-  std::ifstream file(path, std::ios::binary);
-  if (!file) WARN("skipped: no " << path);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
 
 /// The value of an attribute as the text has it, first occurrence.
 std::string written_value(const std::string& text, const std::string& attribute) {
@@ -143,7 +137,7 @@ PhysicalModel small_model() {
 }  // namespace
 
 TEST_CASE("The published diaphragm is read as it stands", "[unit][pml]") {
-  const std::string text = shared_file("diaphragm.pml");
+  const std::string text = shared_surface("diaphragm.pml");
   if (text.empty()) return;
   const PhysicalModel model = read_pml(text, "diaphragm.pml");
 
@@ -170,7 +164,7 @@ TEST_CASE("The published diaphragm is read as it stands", "[unit][pml]") {
 }
 
 TEST_CASE("The published cube has nested components and free attributes", "[unit][pml]") {
-  const std::string text = shared_file("truthcube.pml");
+  const std::string text = shared_surface("truthcube.pml");
   if (text.empty()) return;
   const PhysicalModel model = read_pml(text, "truthcube.pml");
   REQUIRE(model.exclusive.components.size() == 1);
@@ -184,7 +178,7 @@ TEST_CASE("The published cube has nested components and free attributes", "[unit
 
 TEST_CASE("Published models survive writing, and the counts written are theirs", "[unit][pml]") {
   for (const char* name : {"diaphragm.pml", "truthcube.pml"}) {
-    const std::string text = shared_file(name);
+    const std::string text = shared_surface(name);
     if (text.empty()) continue;
     const PhysicalModel model = read_pml(text, name);
     const std::string again = write_pml(model);

@@ -3,6 +3,7 @@
 
 #include "errors/input_error.hpp"
 #include "io/scenario_file.hpp"
+#include "support/messages.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/trunks.hpp"
 
@@ -11,22 +12,6 @@ using namespace trunk::test;
 using Catch::Matchers::Contains;
 
 namespace {
-
-/// The message about a scenario, read and built as the program does.
-std::string message_of(const std::filesystem::path& path, const std::vector<std::string>& settings = {}) {
-  try {
-    build_trunk(read_scenario(path, settings));
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
-}
-
-/// The message about a text saved as bad.toml.
-std::string message_about(const std::string& text) {
-  TemporaryFolder folder;
-  return message_of(folder.write("bad.toml", text));
-}
 
 std::size_t count(const std::string& text, const std::string& part) {
   std::size_t n = 0;

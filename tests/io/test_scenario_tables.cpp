@@ -6,6 +6,7 @@
 #include "io/scenario_file.hpp"
 #include "io/trunk_pml.hpp"
 #include "math/units.hpp"
+#include "support/messages.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/trunks.hpp"
 
@@ -20,20 +21,6 @@ namespace {
 Scenario scenario_of(const std::string& text) {
   TemporaryFolder folder;
   return read_scenario(folder.write("own.toml", text)).scenario;
-}
-
-std::string message_of(const std::filesystem::path& path, const std::vector<std::string>& settings = {}) {
-  try {
-    build_trunk(read_scenario(path, settings));
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
-}
-
-std::string message_about(const std::string& text) {
-  TemporaryFolder folder;
-  return message_of(folder.write("bad.toml", text));
 }
 
 /// The program's working folder for as long as a test needs another.

@@ -11,6 +11,10 @@
 
 namespace trunk::test {
 
+inline std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
+
 inline std::filesystem::path scenario_folder() {
   return std::filesystem::path(__FILE__).parent_path().parent_path().parent_path() / "scenarios";
 }
