@@ -7,12 +7,12 @@
 namespace trunk {
 namespace {
 
-struct Request {
+struct BreathsRequest {
   std::string trace;
   SignalOptions signal;
 };
 
-Exit breaths_command(const Common& common, const Request& request) {
+Exit breaths_command(const Common& common, const BreathsRequest& request) {
   const Segmentation s = segment_breaths(read_signal(request.trace, request.signal));
   Json list = Json::array();
   std::string text = "  breath   onset s    peak s     end s  tidal ml  kept\n";
@@ -64,7 +64,7 @@ Trace read_signal(const std::string& path, const SignalOptions& options) {
 
 void add_breaths(CLI::App& app, Common& common, Run& run) {
   auto* command = app.add_subcommand("breaths", "Show what segmentation makes of a trace");
-  const auto request = std::make_shared<Request>();
+  const auto request = std::make_shared<BreathsRequest>();
   command->add_option("TRACE", request->trace, "lung volume or flow trace (CSV)")->required();
   add_signal_options(*command, request->signal);
   command->add_flag("--json", common.json, "print one JSON object");

@@ -10,7 +10,7 @@
 namespace trunk {
 namespace {
 
-struct Request {
+struct CheckRequest {
   std::string scenario, trace;
   std::vector<std::string> settings;
   SignalOptions signal;
@@ -23,10 +23,17 @@ void print_keys() {
     fmt::print("  {:<38} {}: {} [{}]\n", key.path, key.meaning, expectation(key),
                toml_value(key, Scenario{}));
   fmt::print(
-      "Beside these: schema = \"trunk.scenario/1\"; extends = \"other.toml\"; gravity_m_s2 = [x, y, z];\n"
-      "abdominal_volume_fraction = [[time in s, fraction of rest], ...];\n"
+      "Beside these: schema = \"trunk.scenario/1\"; extends = \"other.toml\"; loads = \"file.lml\";\n"
+      "gravity_m_s2 = [x, y, z]; abdominal_volume_fraction = [[time in s, fraction of rest], ...];\n"
       "[[force]] region, direction, events_N = [[time in s, N a particle], ...];\n"
-      "[[displacement]] region, direction, events_mm = [[time in s, mm], ...].\n"
+      "[[displacement]] region, direction, axes = [1 where imposed, ...], events_mm = [[time in s, mm], "
+      "...];\n"
+      "[[acceleration]] region, direction, events_m_s2; [[pressure]] region, events_cmH2O, or along a "
+      "direction;\n"
+      "[[rigid]] region, motion = \"fixed\" | \"free\" | \"driven\", surface_for = region that slides along "
+      "it;\n"
+      "driven: axis, axis_point_mm, events_deg = [[time in s, degrees], ...]; or direction, events_mm.\n"
+      "A region is a name, particles as in 0-3,7, or *. Tables add to those of the file that is extended.\n"
       "Directions are [right, forward, up].\n");
 }
 
@@ -41,7 +48,7 @@ Json keys_json() {
   return {{"schema", "trunk.check/1"}, {"keys", keys}};
 }
 
-Exit check_command(const Common& common, const Request& request) {
+Exit check_command(const Common& common, const CheckRequest& request) {
   if (request.keys) {
     if (common.json)
       print_result(common, keys_json(), "");
@@ -77,7 +84,7 @@ Exit check_command(const Common& common, const Request& request) {
 
 void add_check(CLI::App& app, Common& common, Run& run) {
   auto* command = app.add_subcommand("check", "Validate a scenario and a trace; simulate nothing");
-  const auto request = std::make_shared<Request>();
+  const auto request = std::make_shared<CheckRequest>();
   command->add_option("SCENARIO", request->scenario, "scenario file (TOML)");
   command->add_option("--trace", request->trace, "lung volume or flow trace (CSV)");
   command->add_option("--set", request->settings, "key=value, over the scenario; may be repeated")

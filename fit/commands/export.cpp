@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Request {
+struct ExportRequest {
   std::string file, pml_folder;
 };
 
@@ -46,7 +46,7 @@ void make_folder(const fs::path& folder) {
   if (error) throw InputError(folder.string(), 0, "cannot be made a folder: " + error.message());
 }
 
-Exit export_command(const Common& common, const Request& request) {
+Exit export_command(const Common& common, const ExportRequest& request) {
   if (request.pml_folder.empty()) throw CLI::RequiredError("--pml DIR");
   const std::vector<TextFile> files = pml_files(request.file, request.pml_folder);
   make_folder(request.pml_folder);
@@ -71,7 +71,7 @@ Exit export_command(const Common& common, const Request& request) {
 void add_export(CLI::App& app, Common& common, Run& run) {
   auto* command =
       app.add_subcommand("export", "Write what a run or fit was made of in formats of other programs");
-  const auto request = std::make_shared<Request>();
+  const auto request = std::make_shared<ExportRequest>();
   command->add_option("FILE", request->file, "run or fit (HDF5); of a fit its best run")->required();
   command->add_option("--pml", request->pml_folder,
                       "folder for trunk.pml (CamiTK's physical model: particles, surfaces, regions, fibres), "

@@ -17,7 +17,7 @@
 namespace trunk {
 namespace {
 
-struct Request {
+struct FitRequest {
   std::string scenario, trace, output, breath = "mean", save_scenario;
   double tidal_volume_ml = 0.0;
   SignalOptions signal;
@@ -52,7 +52,7 @@ std::string apply_fixed(const std::string& text, ScenarioFile& file) {
 }
 
 /// A setting that the trace would overwrite is a contradiction, not a wish.
-void require_no_timing(const Request& request) {
+void require_no_timing(const FitRequest& request) {
   static constexpr std::string_view timed[] = {"activation.onset_s",     "activation.rise_s",
                                                "activation.fast_fall_s", "activation.slow_fall_s",
                                                "activation.period_s",    "time.duration_s"};
@@ -65,7 +65,7 @@ void require_no_timing(const Request& request) {
 
 /// The names to fit: what --free says, or the two of the paper (one where there is but one number), less the
 /// fixed ones.
-std::vector<std::string> names_to_fit(const Request& request, const std::vector<std::string>& fixed) {
+std::vector<std::string> names_to_fit(const FitRequest& request, const std::vector<std::string>& fixed) {
   std::vector<std::string> names = request.free;
   if (names.empty())
     names = request.trace.empty() ? std::vector<std::string>{"k_muscle"}
@@ -79,7 +79,7 @@ std::vector<std::string> names_to_fit(const Request& request, const std::vector<
 }
 
 /// The breath to fit. `notes` are for the user, once all input is known to be good.
-MeasuredBreath measured_breath(const Request& request, std::vector<std::string>& notes) {
+MeasuredBreath measured_breath(const FitRequest& request, std::vector<std::string>& notes) {
   const Segmentation s = segment_breaths(read_signal(request.trace, request.signal));
   notes = s.notes;
   if (request.breath == "mean") return mean_breath(s);
@@ -110,8 +110,8 @@ Json correlation_json(const Uncertainty& u) {
   return matrix;
 }
 
-Json summary(const std::string& status, const Request& request, const Estimation& e,
-             const MeasuredBreath& breath, double wall_s) {
+Json fit_summary(const std::string& status, const FitRequest& request, const Estimation& e,
+                 const MeasuredBreath& breath, double wall_s) {
   Json json{{"schema", "trunk.fit/1"}, {"status", status}};
   json["parameters"] = Json::object();
   if (e.uncertainty) {
@@ -147,7 +147,7 @@ Json summary(const std::string& status, const Request& request, const Estimation
   return json;
 }
 
-std::string table(const Estimation& e, const MeasuredBreath& breath, const Request& request) {
+std::string table(const Estimation& e, const MeasuredBreath& breath, const FitRequest& request) {
   std::string text;
   if (breath.breaths_used > 0)
     text += fmt::format("{} breaths used, {} rejected; tidal volume {:.0f} ml, {:.2f} s a breath\n",
@@ -194,20 +194,20 @@ Scenario with_rounded(Scenario scenario, const SearchSpace& space, const Candida
 }
 
 /// The fitted scenario in full: it needs no other file.
-void save_scenario(const Request& request, const Scenario& scenario) {
+void save_scenario(const FitRequest& request, const Scenario& scenario) {
   const std::string text = fmt::format("# {} with the parameters of {}, written by trunk fit\n{}",
                                        request.scenario, request.output, to_toml(scenario));
   replace_file(request.save_scenario, std::as_bytes(std::span(text)));
 }
 
-void require_one_source(const Request& request) {
+void require_one_source(const FitRequest& request) {
   if (request.trace.empty() == (request.tidal_volume_ml == 0.0))
     throw InputError("expected a measurement: --trace FILE or --tidal-volume-ml ML, one of the two");
   if (request.trace.empty() && !(request.tidal_volume_ml >= 10.0 && request.tidal_volume_ml <= 10000.0))
     throw InputError(fmt::format("--tidal-volume-ml {:g}: expected 10 to 10000 ml", request.tidal_volume_ml));
 }
 
-Exit fit_command(const Common& common, const Request& request) {
+Exit fit_command(const Common& common, const FitRequest& request) {
   require_one_source(request);
   ScenarioFile file = read_scenario(request.scenario, request.settings);
   MeasuredBreath breath;
@@ -261,7 +261,7 @@ Exit fit_command(const Common& common, const Request& request) {
   write_fit(request.output, fit_record(file, trunk, space, target, breath, e, request.search, status, run,
                                        provenance_of(file.inputs, common.argv)));
   if (!request.save_scenario.empty()) save_scenario(request, with_rounded(best.scenario, space, e.best));
-  print_result(common, summary(status, request, e, breath, wall.count()), table(e, breath, request));
+  print_result(common, fit_summary(status, request, e, breath, wall.count()), table(e, breath, request));
   if (!e.search.converged) return Exit::not_converged;
   return identifiable ? Exit::done : Exit::not_identifiable;
 }
@@ -270,7 +270,7 @@ Exit fit_command(const Common& common, const Request& request) {
 
 void add_fit(CLI::App& app, Common& common, Run& run) {
   auto* command = app.add_subcommand("fit", "Fit k_elasticity and k_muscle to a lung volume trace");
-  const auto r = std::make_shared<Request>();
+  const auto r = std::make_shared<FitRequest>();
   command->add_option("SCENARIO", r->scenario, "scenario file (TOML)")->required();
   command->add_option("--trace", r->trace, "lung volume or flow trace (CSV)");
   command->add_option("--tidal-volume-ml", r->tidal_volume_ml,

@@ -12,7 +12,7 @@
 namespace trunk {
 namespace {
 
-struct Request {
+struct SimulateRequest {
   std::string scenario, output, parameters_from;
   std::vector<std::string> settings;
 };
@@ -33,7 +33,20 @@ Json summary(const Trunk& trunk, const Scenario& scenario, const BreathRun& run)
   return json;
 }
 
-Exit simulate_command(const Common& common, const Request& request) {
+/// Loads act from the first moment on the rest shape, so that a part of the measured change is theirs.
+void note_loads(const Scenario& s, const BreathRun& run) {
+  constexpr double ml = 1e-6;
+  const bool loaded = dot(s.gravity, s.gravity) > 0.0 || !s.loads.empty();
+  if (!loaded || !run.summary.completed()) return;
+  const double at_end = run.delta_v.back() / ml;
+  if (std::abs(at_end) > 1.0)
+    print_note(
+        fmt::format("note: gravity or loads: the lung ends {:+.0f} ml from its volume at rest, to which the "
+                    "measures refer",
+                    at_end));
+}
+
+Exit simulate_command(const Common& common, const SimulateRequest& request) {
   ScenarioFile file = read_scenario(request.scenario);
   if (!request.parameters_from.empty()) {
     adopt_parameters(read_parameters(request.parameters_from), file.scenario);
@@ -46,6 +59,7 @@ Exit simulate_command(const Common& common, const Request& request) {
   const BreathRun run = run_breath(trunk, file.scenario, frame_stride(file.scenario));
   write_run(request.output, run_record(file, trunk, run, {}, provenance_of(file.inputs, common.argv)));
 
+  note_loads(file.scenario, run);
   if (run.flipped_triangles > 0)
     print_note(fmt::format(
         "note: {} triangles of the lung turned over: the breath is deeper than this model can follow",
@@ -62,7 +76,7 @@ Exit simulate_command(const Common& common, const Request& request) {
 
 void add_simulate(CLI::App& app, Common& common, Run& run) {
   auto* command = app.add_subcommand("simulate", "Simulate one scenario and keep the whole trajectory");
-  const auto request = std::make_shared<Request>();
+  const auto request = std::make_shared<SimulateRequest>();
   command->add_option("SCENARIO", request->scenario, "scenario file (TOML)")->required();
   command->add_option("-o,--output", request->output, "result file (HDF5)")->required();
   command->add_option("--set", request->settings, "key=value, over the scenario; may be repeated")

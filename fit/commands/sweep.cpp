@@ -6,12 +6,12 @@
 namespace trunk {
 namespace {
 
-struct Request {
+struct SweepRequest {
   std::string design, folder;
   unsigned threads = 0;
 };
 
-Exit sweep_command(const Common& common, const Request& request) {
+Exit sweep_command(const Common& common, const SweepRequest& request) {
   const SweepDesign design = read_sweep_design(request.design);
   const SweepFolder folder(request.folder, design, common.force);
   catch_interrupts();
@@ -59,7 +59,7 @@ Exit status_command(const Common& common, const std::string& folder) {
 void add_sweep(CLI::App& app, Common& common, Run& run) {
   auto* command =
       app.add_subcommand("sweep", "Run scenarios over a grid of parameters; resumes what was interrupted");
-  const auto request = std::make_shared<Request>();
+  const auto request = std::make_shared<SweepRequest>();
   command->add_option("SWEEP", request->design, "sweep file (TOML)")->required();
   command->add_option("-o,--output", request->folder, "folder for the results")->required();
   command->add_option("-j,--threads", request->threads, "threads [one a core]")->check(CLI::Range(1u, 1024u));

@@ -7,7 +7,7 @@
 namespace trunk {
 namespace {
 
-struct Request {
+struct ValidateRequest {
   std::string scenarios, table1;
 };
 
@@ -37,7 +37,8 @@ Json bound_json(const Judged& r) {
           {"pass", r.pass}};
 }
 
-Json summary(const Findings& f, std::span<const Judged> results, bool valid, const Request& request) {
+Json validation_summary(const Findings& f, std::span<const Judged> results, bool valid,
+                        const ValidateRequest& request) {
   Json json{{"schema", "trunk.validate/1"},   {"status", valid ? "valid" : "not_valid"},
             {"scenarios", request.scenarios}, {"table1", request.table1},
             {"rows", Json::array()},          {"errors", Json::array()},
@@ -67,7 +68,7 @@ std::string unfinished_text(const Findings& f) {
   return text;
 }
 
-Exit validate_command(const Common& common, Request request) {
+Exit validate_command(const Common& common, ValidateRequest request) {
   if (request.scenarios.empty()) request.scenarios = shipped_file("scenarios", "--scenarios").string();
   if (request.table1.empty()) request.table1 = shipped_file("reference/table1.csv", "--table1").string();
   const Findings findings =
@@ -75,7 +76,7 @@ Exit validate_command(const Common& common, Request request) {
            [](std::string_view name) { print_progress(fmt::format("validate: {}", name)); });
   const std::vector<Judged> results = judged(findings);
   const std::string failures = failures_text(results);
-  print_result(common, summary(findings, results, failures.empty(), request),
+  print_result(common, validation_summary(findings, results, failures.empty(), request),
                validation_text(findings, results));
   if (failures.empty()) return Exit::done;
   print_note("trunk: " + failures + unfinished_text(findings));
@@ -88,7 +89,7 @@ void add_validate(CLI::App& app, Common& common, Run& run) {
   auto* command = app.add_subcommand(
       "validate",
       "Hold the simulator against the paper's Table 1 and against paralysis; exit 3 where it fails");
-  const auto request = std::make_shared<Request>();
+  const auto request = std::make_shared<ValidateRequest>();
   command->add_option("--scenarios", request->scenarios,
                       "folder of the scenarios to run [scenarios, beside the program's folder, else here]");
   command->add_option("--table1", request->table1,

@@ -29,12 +29,23 @@ int flipped(std::span<const Triangle> triangles, std::span<const Vec3d> before,
   }));
 }
 
+/// A lung of no volume has turned inside out: whatever comes of it is no breath.
+void require_lung(double lowest_volume, Summary& summary) {
+  if (!summary.completed() || lowest_volume > 0.0) return;
+  summary.status = Summary::Status::diverged;
+  summary.message = fmt::format(
+      "the lung lost all of its volume (lowest: {:.0f} ml): the loads or movements are more than this "
+      "model can follow",
+      1e6 * lowest_volume);
+}
+
 }  // namespace
 
 BreathRun run_breath(const Trunk& trunk, const Scenario& scenario, int frame_every) {
   const Model& model = trunk.model;
   const double start_volume = enclosed_volume<double>(model.lung, model.rest);
-  double highest = -std::numeric_limits<double>::infinity();
+  double highest = -std::numeric_limits<double>::infinity(), lowest = -highest;
+  std::vector<Vec3d> at_lowest = model.rest;
   BreathRun run;
   run.end_inspiration = model.rest;
 
@@ -51,13 +62,19 @@ BreathRun run_breath(const Trunk& trunk, const Scenario& scenario, int frame_eve
       highest = volume;
       run.end_inspiration = state.position;
     }
+    if (volume < lowest) {
+      lowest = volume;
+      at_lowest = state.position;
+    }
     if (frame_every > 0 && step % frame_every == 0)
       run.frames.push_back({step, state.position, state.velocity});
   };
   const auto start = std::chrono::steady_clock::now();
   run.summary = simulate(model, scenario.parameters, scenario.activation, scenario.time, observe);
   run.wall_s = seconds_since(start);
-  run.flipped_triangles = flipped(model.lung, model.rest, run.end_inspiration);
+  require_lung(lowest, run.summary);
+  run.flipped_triangles = std::max(flipped(model.lung, model.rest, run.end_inspiration),
+                                   flipped(model.lung, model.rest, at_lowest));
   run.measures = measures_between(shape_of(trunk, model.rest), shape_of(trunk, run.end_inspiration));
   return run;
 }
@@ -73,6 +90,7 @@ VolumeCurve simulate_volume(const Trunk& trunk, const Parameters<double>& parame
                [&](int, double, const State<double>& state, const StepReport<double>&) {
                  curve.delta_v.push_back(enclosed_volume<double>(model.lung, state.position) - start_volume);
                });
+  require_lung(start_volume + *std::min_element(curve.delta_v.begin(), curve.delta_v.end()), curve.summary);
   return curve;
 }
 

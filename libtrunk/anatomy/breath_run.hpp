@@ -24,7 +24,7 @@ struct BreathRun {
   std::vector<Frame> frames;
   std::vector<Vec3d> end_inspiration;  // [particles] where the lung volume was highest
   Measures measures;                   // between the start and end-inspiration
-  int flipped_triangles = 0;           // of the lung at end-inspiration: above 0 the model has left its range
+  int flipped_triangles = 0;  // of the lung at its largest or smallest: above 0 the model has left its range
 };
 
 /// Simulates one breath and keeps curves, frames and measures. `frame_every` steps; 0 keeps no frames.

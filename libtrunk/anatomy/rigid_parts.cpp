@@ -76,6 +76,18 @@ RigidBody body_of(const TrunkMesh& mesh, const RigidPart& part) {
   return body;
 }
 
+/// A free body bears no contact, so what it carries could cross the ribs.
+void require_free_parts_off(const std::map<int, int>& surface_of, const std::vector<RigidPart>& parts,
+                            const Model& model) {
+  for (std::size_t part = 0; part < parts.size(); ++part)
+    for (int i : model.bodies[part].particles)
+      if (parts[part].motion == RigidBody::Motion::free && surface_of.contains(i))
+        throw InputError(
+            fmt::format("{}: the free rigid part '{}' carries particle {}, which slides along the ribs; "
+                        "expected a part off the zone of apposition, or tissue.ribs = false",
+                        parts[part].origin, parts[part].region, i));
+}
+
 }  // namespace
 
 void add_rigid_parts(const TrunkMesh& mesh, const Tissue& tissue, const std::vector<RigidPart>& parts,
@@ -108,6 +120,7 @@ void add_rigid_parts(const TrunkMesh& mesh, const Tissue& tissue, const std::vec
     rib_cage.particles = not_claimed(mesh, claimed);
     carry(rib_cage, model);
   }
+  require_free_parts_off(surface_of, parts, model);
   const auto places = places_of(mesh);
   for (const auto& [particle, body] : surface_of) {
     const auto place = places.find(particle);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -33,7 +34,7 @@ std::vector<double> softening(const TrunkMesh& m, const Tissue& tissue) {
   std::vector<double> factor(m.rest.size(), 1.0);
   for (const char* region : diaphragm)
     for (int i : m.named(region)) {
-      const double paralysed = share_of_side(tissue.paralysed, m.rest[index(i)].x());
+      const double paralysed = share_of_side(tissue.paralysed, m.rest[index(i)].x() - m.midline());
       factor[index(i)] = 1.0 + paralysed * (tissue.paralysed_stiffness - 1.0);
     }
   return factor;
@@ -51,7 +52,7 @@ std::vector<Fibre> make_fibres(const TrunkMesh& m, const Tissue& tissue, double 
                                                                       : m.apposition_top_row();
   std::vector<Fibre> fibres;
   for (const auto& line : m.muscle_lines) {
-    const double paralysed = share_of_side(tissue.paralysed, m.rest[index(line.front())].x());
+    const double paralysed = share_of_side(tissue.paralysed, m.rest[index(line.front())].x() - m.midline());
     fibres.push_back({line.front(), line[end], strength * (1.0 - paralysed)});
   }
   return fibres;
@@ -95,13 +96,14 @@ void require_possible(const Tissue& tissue) {
 }  // namespace
 
 double share_of_side(Side side, double x) {
+  constexpr double midline_width = 2e-3;
   switch (side) {
     case Side::none:
       return 0.0;
     case Side::both:
       return 1.0;
     case Side::right:
-      return x > 0.0 ? 1.0 : x < 0.0 ? 0.0 : 0.5;
+      return std::clamp(0.5 + x / midline_width, 0.0, 1.0);
     case Side::left:
       return share_of_side(Side::right, -x);
   }

@@ -29,7 +29,8 @@ Trunk make_template_trunk(const TrunkGeometry& geometry, const Tissue& tissue, R
 /// What `TrunkMesh::given` would have to say for this tissue: per particle, before any paralysis.
 TrunkMesh::Given healthy_tissue(const TrunkMesh& mesh, const Tissue& tissue);
 
-/// The part of a particle that belongs to a side: 1 inside, 0 on the other side, 1/2 on the midline.
+/// The part of a particle that belongs to a side, x to the right of the midline: 1 inside, 0 on the other
+/// side, in between linearly over the 2 mm around the midline, so that 1/2 lies on it (our choice).
 double share_of_side(Side side, double x);
 
 }  // namespace trunk

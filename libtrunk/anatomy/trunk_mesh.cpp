@@ -22,6 +22,11 @@ bool contains(const std::vector<int>& particles, int i) {
   return std::find(particles.begin(), particles.end(), i) != particles.end();
 }
 
+std::string trimmed(const std::string& text) {
+  const auto first = text.find_first_not_of(' '), last = text.find_last_not_of(' ');
+  return first == std::string::npos ? "" : text.substr(first, last - first + 1);
+}
+
 /// "3" or "0-3"; none where the text is neither.
 bool add_range(std::string_view item, std::vector<int>& particles, int count) {
   int first = 0, last = 0;
@@ -37,6 +42,71 @@ bool add_range(std::string_view item, std::vector<int>& particles, int count) {
   if (first < 0 || last < first || last >= count) return false;
   for (int i = first; i <= last; ++i) particles.push_back(i);
   return true;
+}
+
+void require(bool good, const std::string& text) {
+  if (!good) throw InputError(text);
+}
+
+void require_names(const TrunkMesh& mesh) {
+  for (const char* name :
+       {"pelvis", "abdominal_wall", "costal_insertion", "zone_of_apposition", "central_tendon", "lung_wall",
+        "fixed", "apposition_middle", "apposition_top", "dome_top_right", "dome_top_left"})
+    require(!mesh.named(name).empty(), fmt::format("the trunk has no region or landmark '{}'", name));
+  for (const Regions* regions : {&mesh.regions, &mesh.landmarks})
+    for (const auto& [name, particles] : *regions)
+      for (int i : particles)
+        require(i >= 0 && static_cast<std::size_t>(i) < mesh.rest.size(),
+                fmt::format("'{}' refers to particle {}, which does not exist", name, i));
+}
+
+void require_muscle_lines(const TrunkMesh& mesh) {
+  const auto& lines = mesh.muscle_lines;
+  require(lines.size() >= 3, fmt::format("the trunk has {} muscle lines, expected 3 or more", lines.size()));
+  const std::size_t length = lines.front().size(), top = mesh.apposition_top_row();
+  require(
+      top >= 1 && top + 1 < length,
+      "no muscle line passes the top of the zone of apposition (landmark apposition_top) between its ends");
+  for (const auto& line : lines)
+    require(
+        line.size() == length,
+        fmt::format("a muscle line has {} particles and another {}, expected as many", line.size(), length));
+  std::set<int> seen;
+  for (const auto& line : lines) {
+    const auto place = [&](std::size_t row, const char* region) {
+      require(contains(mesh.named(region), line[row]),
+              fmt::format(
+                  "particle {}, number {} of the muscle line from particle {}, is not in {}; expected lines "
+                  "from the costal insertion up the zone of apposition to the central tendon",
+                  line[row], row + 1, line.front(), region));
+    };
+    place(0, "costal_insertion");
+    for (std::size_t row = 1; row <= top; ++row) place(row, "zone_of_apposition");
+    place(length - 1, "central_tendon");
+    for (int i : line) require(seen.insert(i).second, fmt::format("particle {} is on two muscle lines", i));
+  }
+}
+
+Vec3d centre_of(const TrunkMesh& mesh, const std::vector<int>& particles) {
+  Vec3d sum;
+  for (int i : particles) sum += mesh.rest[static_cast<std::size_t>(i)];
+  return (1.0 / static_cast<double>(particles.size())) * sum;
+}
+
+/// Without it a trunk in other axes would be simulated, and the wrong side paralysed.
+void require_orientation(const TrunkMesh& mesh) {
+  const auto centre = [&](const char* name) { return centre_of(mesh, mesh.named(name)); };
+  const std::string expected = "expected x to the subject's right, y forward, z up";
+  require(centre("dome_top_left").x() < centre("dome_top_right").x(),
+          "the right dome is not to the right of the left one; " + expected);
+  require(centre("pelvis").z() < centre("costal_insertion").z() &&
+              centre("costal_insertion").z() < centre("apposition_top").z() &&
+              centre("apposition_top").z() < centre("lung_wall").z(),
+          "pelvis, costal insertion, top of the zone of apposition and lung wall are not above each other; " +
+              expected);
+  if (const auto& spine = mesh.named("spine"); !spine.empty())
+    require(centre_of(mesh, spine).y() < centre("costal_insertion").y(),
+            "the spine is not behind the costal insertion; " + expected);
 }
 
 }  // namespace
@@ -72,7 +142,7 @@ std::vector<int> selected_particles(const TrunkMesh& mesh, const std::string& te
   const int count = static_cast<int>(mesh.rest.size());
   for (std::size_t begin = 0; begin <= text.size();) {
     const std::size_t end = std::min(text.find(',', begin), text.size());
-    const std::string item = text.substr(begin, end - begin);
+    const std::string item = trimmed(text.substr(begin, end - begin));
     range.clear();
     if (item == "*" && add_range(fmt::format("0-{}", count - 1), range, count))
       particles.insert(range.begin(), range.end());
@@ -90,26 +160,19 @@ std::vector<int> selected_particles(const TrunkMesh& mesh, const std::string& te
   return {particles.begin(), particles.end()};
 }
 
+double TrunkMesh::midline() const {
+  const auto& costal = named("costal_insertion");
+  if (costal.empty()) return 0.0;
+  const auto x = [&](int i) { return rest[static_cast<std::size_t>(i)].x(); };
+  const auto [left, right] =
+      std::minmax_element(costal.begin(), costal.end(), [&](int a, int b) { return x(a) < x(b); });
+  return 0.5 * (x(*left) + x(*right));
+}
+
 void require_anatomy(const TrunkMesh& mesh) {
-  const auto require = [](bool good, const std::string& text) {
-    if (!good) throw InputError(text);
-  };
-  const auto& lines = mesh.muscle_lines;
-  require(lines.size() >= 3, fmt::format("the trunk has {} muscle lines, expected 3 or more", lines.size()));
-  const std::size_t length = lines.front().size(), top = mesh.apposition_top_row();
-  require(
-      top >= 1 && top + 1 < length,
-      "no muscle line passes the top of the zone of apposition (landmark apposition_top) between its ends");
-  for (const auto& line : lines) {
-    require(
-        line.size() == length,
-        fmt::format("a muscle line has {} particles and another {}, expected as many", line.size(), length));
-    for (int i : line)
-      require(i >= 0 && static_cast<std::size_t>(i) < mesh.rest.size(),
-              fmt::format("a muscle line refers to particle {}, which does not exist", i));
-  }
-  for (const char* name : {"apposition_middle", "apposition_top", "dome_top_right", "dome_top_left"})
-    require(!mesh.named(name).empty(), fmt::format("the trunk has no landmark '{}'", name));
+  require_names(mesh);
+  require_muscle_lines(mesh);
+  require_orientation(mesh);
 }
 
 }  // namespace trunk

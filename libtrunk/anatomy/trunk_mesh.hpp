@@ -42,6 +42,9 @@ struct TrunkMesh {
   /// The particles of a region or landmark; none where there is no such name.
   const std::vector<int>& named(const std::string& name) const;
 
+  /// Halfway between the rightmost and the leftmost particle of the costal insertion, m.
+  double midline() const;
+
   /// Row of the muscle lines that lies at the top of the zone of apposition.
   std::size_t apposition_top_row() const;
 };

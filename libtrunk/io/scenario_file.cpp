@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "errors/input_error.hpp"
 #include "io/scenario_keys.hpp"
@@ -60,7 +61,7 @@ struct Assign {
   void operator()(const ScenarioKey::File& f) const {
     const auto value = node.value_exact<std::string>();
     if (!value) wrong();
-    f.field(scenario) = value->empty() ? "" : place.beside(*value).string();
+    f.field(scenario) = value->empty() || *value == "\"\"" ? "" : place.beside(*value).string();
   }
 };
 
@@ -182,6 +183,22 @@ void read_mesh(ScenarioFile& file) {
   file.inputs.push_back(s.mesh_file);
 }
 
+bool says_something(const std::vector<double>& given) {
+  return std::any_of(given.begin(), given.end(), [](double value) { return std::isfinite(value); });
+}
+
+/// A value set by hand that the trunk's own file overrules would be ignored in silence.
+void require_effect(const Setting& setting, const Scenario& s) {
+  if (!s.mesh) return;
+  const TrunkMesh::Given& given = s.mesh->given;
+  const bool geometry = setting.key.starts_with("geometry.") && setting.key != "geometry.pml";
+  const bool mass = setting.key == "tissue.particle_mass_kg" && says_something(given.mass);
+  const bool tendon = setting.key == "tissue.tendon_stiffness_factor" && says_something(given.stiffness);
+  if (geometry || mass || tendon)
+    throw InputError(fmt::format("{}: has no effect, since the trunk comes from {} and says it itself",
+                                 setting.where, s.mesh_file));
+}
+
 }  // namespace
 
 std::string ScenarioFile::where(const std::string& key) const {
@@ -218,6 +235,7 @@ Setting setting_of(const std::string& text) {
 void apply_settings(const std::vector<Setting>& settings, ScenarioFile& file) {
   for (const Setting& setting : settings) Reader(file).set(setting);
   read_mesh(file);
+  for (const Setting& setting : settings) require_effect(setting, file.scenario);
 }
 
 void apply_settings(const std::vector<std::string>& texts, ScenarioFile& file) {
@@ -239,7 +257,7 @@ Trunk build_trunk(const ScenarioFile& file) {
     };
     if (std::ranges::any_of(file.scenario.loads, is_from)) throw;  // it names its own line
     if (std::ranges::any_of(file.scenario.rigid, is_from)) throw;
-    throw at(file.path, error);
+    throw at(file.scenario.mesh ? file.scenario.mesh_file : file.path, error);
   }
   try {
     require_stable(file.scenario, trunk);

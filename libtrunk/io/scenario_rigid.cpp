@@ -25,6 +25,7 @@ RigidPart rigid_part_of(const toml::table& table, const TomlPlace& place) {
   RigidPart part;
   part.origin = place.name();
   part.imposed.axis = {0.0, 0.0, 1.0};
+  bool has_axis = false, has_point = false;
   for (const auto& [key_text, value] : table) {
     const std::string key(key_text.str());
     const TomlPlace at{place.file, key_text.source().begin.line};
@@ -37,9 +38,11 @@ RigidPart rigid_part_of(const toml::table& table, const TomlPlace& place) {
       part.motion = motion_of(value, at);
     } else if (key == "axis_point_mm") {
       imposed.point = 1e-3 * direction_of(value, "rigid." + key, at);
+      has_point = true;
     } else if (key == "axis") {
       imposed.axis = direction_of(value, "rigid." + key, at);
       if (dot(imposed.axis, imposed.axis) == 0.0) at.fail("rigid.axis is zero, expected a direction");
+      has_axis = true;
       const double length = norm(imposed.axis);
       if (std::abs(length - 1.0) > 1e-15) imposed.axis = (1.0 / length) * imposed.axis;
     } else if (key == "events_deg") {
@@ -60,8 +63,14 @@ RigidPart rigid_part_of(const toml::table& table, const TomlPlace& place) {
   if (moves != (part.motion == RigidBody::Motion::driven))
     place.fail(
         "[[rigid]] has events_deg or events_mm where its motion is not \"driven\", or none where it is");
+  if (!part.imposed.angle.empty() && !(has_axis && has_point))
+    place.fail("[[rigid]] has events_deg and not both axis and axis_point_mm, expected both");
   if (!part.imposed.shift.empty() && dot(part.imposed.direction, part.imposed.direction) == 0.0)
     place.fail("[[rigid]] has events_mm and no direction, expected one that is not zero");
+  for (const PiecewiseLinear* course : {&part.imposed.angle, &part.imposed.shift})
+    if (!course->empty() && course->events().front().value != 0.0)
+      place.fail(
+          "[[rigid]] does not begin at 0, expected events whose first value is 0: the part would jump");
   return part;
 }
 

@@ -5,9 +5,11 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <set>
 
 #include "errors/input_error.hpp"
 #include "io/text_file.hpp"
+#include "mesh/volume.hpp"
 #include "pml/read_pml.hpp"
 
 namespace trunk {
@@ -37,6 +39,7 @@ class Reader {
     } catch (const InputError& error) {
       fail(error.what());
     }
+    require_human_size();
     return std::move(result_);
   }
 
@@ -63,6 +66,17 @@ class Reader {
     if (!unit || *unit == "mm") return 1e3;
     if (*unit == "m") return 1.0;
     fail(fmt::format("the model's unit is '{}', expected mm or m", *unit));
+  }
+
+  /// The same limits as the parametric trunk has: a wrong unit shows here.
+  void require_human_size() {
+    constexpr double ml = 1e-6, smallest = 200, largest = 20000;
+    const double volume = enclosed_volume<double>(mesh().lung, mesh().rest) / ml;
+    if (!(volume >= smallest && volume <= largest))
+      fail(fmt::format(
+          "the lung encloses {:.4g} ml, expected {} to {} ml: is the model's unit right, and are its "
+          "triangles counter-clockwise seen from outside?",
+          volume, smallest, largest));
   }
 
   void read_atoms() {
@@ -109,7 +123,7 @@ class Reader {
       mesh().lung = triangles(component, *name);
     else if (*name == "muscle_lines")
       read_muscle_lines(component);
-    else if (auto particles = atoms_of(component); !particles.empty())
+    else if (auto particles = atoms_of(component, *name); !particles.empty())
       add_named(*name, std::move(particles), component.attributes, is_region);
   }
 
@@ -132,15 +146,22 @@ class Reader {
         fail("component 'muscle_lines' has something else than POLY_LINE cells");
       mesh().muscle_lines.emplace_back(cell->atoms.begin(), cell->atoms.end());
     }
-    if (const std::string* strength = pml::find(component.attributes, "strength"))
-      mesh().given.fibre_strength = number(*strength, "the strength of muscle_lines", 0.0);
+    const std::string* strength = pml::find(component.attributes, "strength");
+    if (!strength) return;
+    mesh().given.fibre_strength = number(*strength, "the strength of muscle_lines", 0.0);
+    if (mesh().given.fibre_strength == 0.0)
+      fail("the strength of muscle_lines is 0, expected more (paralysis is the scenario's)");
   }
 
-  static std::vector<int> atoms_of(const pml::StructuralComponent& component) {
+  std::vector<int> atoms_of(const pml::StructuralComponent& component, const std::string& name) const {
     std::vector<int> particles;
+    std::set<std::size_t> seen;
     for (const auto& item : component.items)
-      if (const auto* atom = std::get_if<pml::AtomReference>(&item))
+      if (const auto* atom = std::get_if<pml::AtomReference>(&item)) {
+        if (!seen.insert(atom->index).second)
+          fail(fmt::format("component '{}' lists atom {} twice, expected it once", name, atom->index));
         particles.push_back(static_cast<int>(atom->index));
+      }
     return particles;
   }
 

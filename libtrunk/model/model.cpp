@@ -94,11 +94,12 @@ void require_valid(const Model& model) {
   require_shape_memory(model);
   require_references(model);
   require(model.abdomen.rest > 0,
-          fmt::format("the abdominal compartment encloses {} m3 at rest; expected a positive volume "
+          fmt::format("the abdominal compartment encloses {:.4g} ml at rest; expected a positive volume "
                       "(triangles counter-clockwise seen from outside)",
-                      model.abdomen.rest));
+                      1e6 * model.abdomen.rest));
   const double lung = enclosed_volume<double>(model.lung, model.rest);
-  require(lung > 0, fmt::format("the lung encloses {} m3 at rest; expected a positive volume", lung));
+  require(lung > 0,
+          fmt::format("the lung encloses {:.4g} ml at rest; expected a positive volume", 1e6 * lung));
 }
 
 }  // namespace trunk

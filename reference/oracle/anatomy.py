@@ -8,10 +8,10 @@ RIB_CAGE = ("costal_insertion", "lung_wall", "lung_top")
 
 
 def share_of_side(side, x):
-    """How much a particle belongs to the paralysed side: a half on the midline."""
+    """How much a particle belongs to the paralysed side: a half on the midline, in proportion within 1 mm of it."""
     if side in ("none", "both"):
         return np.full(len(x), float(side == "both"))
-    return 0.5 + 0.5 * np.sign(x if side == "right" else -x)
+    return np.clip(0.5 + 0.5 * (x if side == "right" else -x) / 1e-3, 0.0, 1.0)
 
 
 def spine(rest, regions):
@@ -97,7 +97,9 @@ class Tissue:
         self.damping = s["parameters"]["damping_N_s_per_m"] * share_of_damping
 
         paralysis = s.get("paralysis", {})
-        paralysed = share_of_side(paralysis.get("side", "none"), rest[0])
+        costal = rest[0, anatomy.names["costal_insertion"]]
+        midline = 0.5 * (costal.min() + costal.max())
+        paralysed = share_of_side(paralysis.get("side", "none"), rest[0] - midline)
         diaphragm = anatomy.particles(DIAPHRAGM)
         stiffness[diaphragm] *= 1.0 + paralysed[diaphragm] * (paralysis.get("stiffness_factor", 1.0) - 1.0)
         stiffness[anatomy.particles(ABDOMINAL)] *= s["parameters"]["abdomen_stiffness_factor"]

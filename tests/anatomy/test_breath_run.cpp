@@ -17,7 +17,7 @@ double mm(double m) {
 
 }  // namespace
 
-TEST_CASE("Paralysis of the left mirrors paralysis of the right within 2 %", "[regression][anatomy]") {
+TEST_CASE("Paralysis of the left mirrors paralysis of the right within 2 %", "[regression][anatomy][slow]") {
   const Measures right = breath_of("hemiparalysis_right").measures,
                  left = breath_of("hemiparalysis_left").measures;
   const double scale = right.excursion_left;  // the healthy side's
@@ -32,7 +32,7 @@ TEST_CASE("Paralysis of the left mirrors paralysis of the right within 2 %", "[r
 }
 
 TEST_CASE("The paralysed dome rises while the healthy one descends, at about half the volume",
-          "[regression][anatomy]") {
+          "[regression][anatomy][slow]") {
   const BreathRun healthy = breath_of("healthy"), paralysed = breath_of("hemiparalysis_right");
   REQUIRE(healthy.summary.completed());
   REQUIRE(paralysed.summary.completed());
@@ -49,7 +49,7 @@ TEST_CASE("The paralysed dome rises while the healthy one descends, at about hal
   CHECK(healthy.measures.excursion_left > 5e-3);
 }
 
-TEST_CASE("Without ribs the paralysed dome does not rise", "[regression][anatomy]") {
+TEST_CASE("Without ribs the paralysed dome does not rise", "[regression][anatomy][slow]") {
   // The published model lacks the paradox; ours owes it to the ribs, not to a script.
   CHECK(breath_of("published_hemiparalysis_right").measures.excursion_right > 0.0);
 }
@@ -64,7 +64,8 @@ TEST_CASE("Both hemidiaphragms paralysed do not breathe", "[unit][anatomy]") {
   CHECK(std::abs(run.measures.delta_v) < 1e-12);
 }
 
-TEST_CASE("The curves of a breath have one entry a step and end where they began", "[property][anatomy]") {
+TEST_CASE("The curves of a breath have one entry a step and end where they began",
+          "[property][anatomy][slow]") {
   const Scenario scenario = shipped("healthy");
   const BreathRun run = run_breath(make_trunk(scenario), scenario, 100);
   const auto steps = static_cast<std::size_t>(scenario.time.steps());
@@ -93,7 +94,7 @@ TEST_CASE("The volume curve of a fit is that of the run", "[property][anatomy]")
   CHECK(curve.delta_v == run.delta_v);
 }
 
-TEST_CASE("More muscle breathes more, more elasticity less", "[property][anatomy]") {
+TEST_CASE("More muscle breathes more, more elasticity less", "[property][anatomy][slow]") {
   Scenario scenario = shipped("healthy");
   scenario.time.duration_s = 2.0;
   const Trunk trunk = make_trunk(scenario);
@@ -127,7 +128,7 @@ TEST_CASE("A force on a region moves it, an unknown region is named", "[unit][an
                                               Catch::Matchers::Contains("abdominal_wall"));
 }
 
-TEST_CASE("A symmetric trunk moves symmetrically", "[property][anatomy]") {
+TEST_CASE("A symmetric trunk moves symmetrically", "[property][anatomy][slow]") {
   const Scenario scenario = shipped("healthy");
   const Trunk trunk = make_trunk(scenario);
   const BreathRun run = run_breath(trunk, scenario, 0);

@@ -80,7 +80,7 @@ void check_positions(const Json& golden, const Json& at_moment, const BreathRun&
 
 }  // namespace
 
-TEST_CASE("Breaths are where the independent oracle puts them", "[regression][golden]") {
+TEST_CASE("Breaths are where the independent oracle puts them", "[regression][golden][slow]") {
   const auto files = golden_files();
   REQUIRE(files.size() >= 3);
   for (const auto& path : files) {

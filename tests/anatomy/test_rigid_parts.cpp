@@ -114,7 +114,7 @@ TEST_CASE("A part of one's own takes its particles and its surface from the rib 
 }
 
 TEST_CASE("Two halves of the rib cage that swing outward: volume and ribs hold, the breath is deeper",
-          "[property][anatomy]") {
+          "[property][anatomy][slow]") {
   Scenario scenario = shipped("healthy");
   const double without = run_breath(make_trunk(scenario), scenario, 0).measures.delta_v;
   scenario.rigid = {swinging_half(scenario, "right", 3.0), swinging_half(scenario, "left", 3.0)};
@@ -151,7 +151,7 @@ TEST_CASE("Two halves of the rib cage that swing outward: volume and ribs hold, 
 }
 
 TEST_CASE("Halves that swing inward make the breath shallower, and come back to where they were",
-          "[property][anatomy]") {
+          "[property][anatomy][slow]") {
   Scenario scenario = shipped("healthy");
   const double without = run_breath(make_trunk(scenario), scenario, 0).measures.delta_v;
   scenario.rigid = {swinging_half(scenario, "right", -2.0), swinging_half(scenario, "left", -2.0)};
@@ -227,14 +227,61 @@ TEST_CASE("Rigid parts that cannot be are refused with their place", "[unit][ana
 TEST_CASE("A zone of apposition whose muscle lines coincide has no rib surface and is refused",
           "[regression][anatomy]") {
   TrunkMesh mesh = mesh_of(Scenario{});
-  auto& zone = mesh.regions["zone_of_apposition"];
-  std::erase_if(zone, [&](int i) {
-    const auto& line = mesh.muscle_lines[2];
-    return std::find(line.begin(), line.end(), i) != line.end();
-  });
-  REQUIRE_NOTHROW(make_trunk(mesh, {}, Reaction::variational));
-  mesh.muscle_lines[2] = mesh.muscle_lines[0];  // on both sides of line 1
-  CHECK_THROWS_WITH(make_trunk(mesh, {}, Reaction::variational), Contains("has no direction"));
+  const auto &left = mesh.muscle_lines[2], &right = mesh.muscle_lines[0];  // on both sides of line 1
+  for (std::size_t row = 0; row < left.size(); ++row) mesh.rest[at(left[row])] = mesh.rest[at(right[row])];
+  CHECK_THROWS_AS(make_trunk(mesh, {}, Reaction::variational), InputError);
+
+  TrunkMesh twice = mesh_of(Scenario{});
+  twice.muscle_lines[2] = twice.muscle_lines[0];
+  CHECK_THROWS_WITH(make_trunk(twice, {}, Reaction::variational), Contains("on two muscle lines"));
+}
+
+TEST_CASE("A trunk in other axes, or with another order of its lines, is refused", "[regression][anatomy]") {
+  const auto message = [](auto change) {
+    TrunkMesh mesh = mesh_of(Scenario{});
+    change(mesh);
+    try {
+      make_trunk(mesh, {}, Reaction::variational);
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string("no error");
+  };
+  const auto turned = [&](auto turn) {
+    return message([&](TrunkMesh& mesh) {
+      for (Vec3d& p : mesh.rest) p = turn(p);
+    });
+  };
+  CHECK_THAT(turned([](const Vec3d& p) { return Vec3d{-p.x(), -p.y(), p.z()}; }), Contains("right"));  // LPS
+  CHECK_THAT(turned([](const Vec3d& p) {
+               return Vec3d{p.x(), -p.z(), p.y()};
+             }),
+             Contains("above each other"));
+  CHECK_THAT(turned([](const Vec3d& p) { return Vec3d{p.y(), p.x(), p.z()}; }), Contains("expected x"));
+  CHECK(turned([](const Vec3d& p) { return p + Vec3d{0.3, 0.1, -2.0}; }) == "no error");
+  CHECK_THAT(message([](TrunkMesh& mesh) {
+               auto& line = mesh.muscle_lines[4];
+               std::reverse(line.begin(), line.end());
+             }),
+             Contains("costal_insertion"));
+  CHECK_THAT(message([](TrunkMesh& mesh) { mesh.regions.erase("zone_of_apposition"); }),
+             Contains("'zone_of_apposition'"));
+}
+
+TEST_CASE("Which side a particle is on is told from the trunk's own midline", "[regression][anatomy]") {
+  Tissue tissue;
+  tissue.paralysed = Side::right;
+  const TrunkMesh mesh = mesh_of(Scenario{});
+  const Trunk before = make_trunk(mesh, tissue, Reaction::variational);
+  TrunkMesh shifted = mesh;
+  for (Vec3d& p : shifted.rest) p += Vec3d{0.3, 0.0, 0.0};
+  shifted.rest[at(shifted.named("dome_saddle").front())] += Vec3d{1e-12, 0.0, 0.0};
+  const Trunk after = make_trunk(shifted, tissue, Reaction::variational);
+  for (std::size_t f = 0; f < before.model.fibres.size(); ++f)
+    CHECK(after.model.fibres[f].activity == Approx(before.model.fibres[f].activity).margin(1e-9));
+  for (std::size_t r = 0; r < before.model.shape_memory.rings.size(); ++r)
+    CHECK(after.model.shape_memory.stiffness_weight[r] ==
+          Approx(before.model.shape_memory.stiffness_weight[r]).margin(1e-8));
 }
 
 TEST_CASE("A scenario with an impossible rigid part names file and line once", "[unit][anatomy]") {

@@ -117,7 +117,7 @@ TEST_CASE("A rib surface that moves takes along what sticks to it and leaves wha
 }
 
 TEST_CASE("Friction between ribs and zone of apposition: volume and ribs still hold, the breath is smaller",
-          "[property][constraints]") {
+          "[property][constraints][slow]") {
   double smooth_volume = 0.0;
   for (const double friction : {0.0, 0.3}) {
     Scenario scenario = shipped("healthy");

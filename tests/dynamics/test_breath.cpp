@@ -65,7 +65,8 @@ TEST_CASE("The abdominal volume is held at every step of the published breath", 
   WARN("published, no ribs: largest relative volume error " << seen.volume_error);
 }
 
-TEST_CASE("With ribs the volume is held and no support is crossed at any step", "[property][dynamics]") {
+TEST_CASE("With ribs the volume is held and no support is crossed at any step",
+          "[property][dynamics][slow]") {
   for (const char* name :
        {"healthy", "hemiparalysis_right", "exercise_healthy", "exercise_hemiparalysis_right"}) {
     const Watched seen = watch(shipped(name));
@@ -81,7 +82,7 @@ TEST_CASE("With ribs the volume is held and no support is crossed at any step", 
   }
 }
 
-TEST_CASE("An abdominal volume that changes in time is followed", "[property][dynamics]") {
+TEST_CASE("An abdominal volume that changes in time is followed", "[property][dynamics][slow]") {
   for (const char* name : {"healthy", "published_healthy"}) {
     Scenario scenario = shipped(name);
     scenario.abdominal_volume = PiecewiseLinear({{0.0, 1.0}, {1.0, 1.02}, {2.0, 0.98}}, 1.0);
@@ -142,7 +143,7 @@ TEST_CASE("A step allocates nothing", "[property][dynamics]") {
   }
 }
 
-TEST_CASE("At rest without activation nothing moves", "[property][dynamics]") {
+TEST_CASE("At rest without activation nothing moves", "[property][dynamics][slow]") {
   // Every support touches without force: round-off alone decides which, and the search must not mind.
   for (const char* name : {"healthy", "published_healthy"}) {
     Scenario scenario = shipped(name);
@@ -155,7 +156,7 @@ TEST_CASE("At rest without activation nothing moves", "[property][dynamics]") {
   }
 }
 
-TEST_CASE("A trunk may wait before it breathes", "[property][dynamics]") {
+TEST_CASE("A trunk may wait before it breathes", "[property][dynamics][slow]") {
   for (const char* name : {"healthy", "hemiparalysis_left", "published_healthy"})
     for (const double onset_s : {0.25, 1.0, 2.0}) {
       Scenario scenario = shipped(name);
@@ -168,7 +169,7 @@ TEST_CASE("A trunk may wait before it breathes", "[property][dynamics]") {
     }
 }
 
-TEST_CASE("Several breaths with pauses run through", "[property][dynamics]") {
+TEST_CASE("Several breaths with pauses run through", "[property][dynamics][slow]") {
   Scenario scenario = shipped("healthy");
   scenario.activation = {0.0, 0.4, 0.1, 0.4, 0.4, 2.0};
   scenario.time.duration_s = 6.0;

@@ -92,7 +92,7 @@ TEST_CASE("A free body under the published reaction keeps linear but not angular
 }
 
 TEST_CASE("Without damping the energy of a free body drifts with order 1 in the time step",
-          "[property][dynamics]") {
+          "[property][dynamics][slow]") {
   for (const Mesh& mesh : flyers()) {
     const double coarse = largest_energy_change(mesh, 1e-3, 1.0),
                  fine = largest_energy_change(mesh, 5e-4, 1.0),
@@ -106,7 +106,7 @@ TEST_CASE("Without damping the energy of a free body drifts with order 1 in the 
   }
 }
 
-TEST_CASE("With damping the energy of a free body falls all the way", "[property][dynamics]") {
+TEST_CASE("With damping the energy of a free body falls all the way", "[property][dynamics][slow]") {
   for (const Mesh& mesh : flyers()) {
     FreeFlight body(mesh, Reaction::variational, 20.0, 1e-4);
     const double start = body.energy();

@@ -32,7 +32,7 @@ std::vector<Vec3d> positions_after(const Scenario& scenario, int steps) {
 
 }  // namespace
 
-TEST_CASE("The kernel in long double agrees with double to round-off", "[property][dynamics]") {
+TEST_CASE("The kernel in long double agrees with double to round-off", "[property][dynamics][slow]") {
   // Shows that the kernel's scalar is a template in fact, and bounds the round-off of double.
   for (const char* name : {"healthy", "hemiparalysis_right", "published_healthy"}) {
     Scenario scenario = shipped(name);

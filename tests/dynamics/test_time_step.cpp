@@ -50,7 +50,8 @@ Summary run_at(const Model& model, const Parameters<double>& parameters, double 
 
 }  // namespace
 
-TEST_CASE("Volume and pressure converge with the time step, with order about 1", "[property][dynamics]") {
+TEST_CASE("Volume and pressure converge with the time step, with order about 1",
+          "[property][dynamics][slow]") {
   for (const char* name : {"healthy", "published_healthy"}) {
     Scenario scenario = shipped(name);
     scenario.time.duration_s = 3.2;  // past the peak and the fast fall
@@ -79,7 +80,8 @@ TEST_CASE("Volume and pressure converge with the time step, with order about 1",
   }
 }
 
-TEST_CASE("Just below the stability bound a run completes, above it it does not", "[property][dynamics]") {
+TEST_CASE("Just below the stability bound a run completes, above it it does not",
+          "[property][dynamics][slow]") {
   for (const char* name : {"healthy", "published_healthy", "hemiparalysis_right"})
     for (const double damping : {0.5, 20.0, 200.0}) {
       const Scenario scenario = shipped(name);

@@ -86,7 +86,7 @@ TEST_CASE("a slow breath with noise determines the ratio and says so", "[regress
   CHECK_THAT(e.uncertainty->verdict, Contains("Only the ratio is determined"));
 }
 
-TEST_CASE("runs that fail are counted, and the fit goes on", "[regression]") {
+TEST_CASE("runs that fail are counted, and the fit goes on", "[regression][slow]") {
   Scenario s = healthy_scenario();
   s.time.dt_s = 4e-3;  // stable at 4000 N/m, not at the upper bound
   const Trunk trunk = make_trunk(s);

@@ -203,7 +203,7 @@ TEST_CASE("Failures are told in one line with value and bound, success in none",
   for (const Bound& bound : bounds()) CHECK(names.insert(bound.name).second);
 }
 
-TEST_CASE("The shipped scenarios keep every bound", "[regression][validation]") {
+TEST_CASE("The shipped scenarios keep every bound", "[regression][validation][slow]") {
   std::vector<std::string> ran;
   const Findings f = find(shipped_table, source_folder / "scenarios",
                           [&](std::string_view name) { ran.emplace_back(name); });

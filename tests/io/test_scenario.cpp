@@ -60,6 +60,13 @@ std::vector<RegionLoad> random_loads(Random& random) {
   return loads;
 }
 
+/// The same course, beginning at 0, as a part that moves must.
+PiecewiseLinear from_zero(const PiecewiseLinear& course) {
+  auto events = course.events();
+  events.front().value = 0.0;
+  return PiecewiseLinear(events);
+}
+
 std::vector<RigidPart> random_parts(Random& random) {
   using enum RigidBody::Motion;
   std::vector<RigidPart> parts;
@@ -73,11 +80,11 @@ std::vector<RigidPart> random_parts(Random& random) {
       part.imposed.point = random.vector(0.5);
       const Vec3d axis = random.vector(1.0);
       part.imposed.axis = (1.0 / norm(axis)) * axis;
-      part.imposed.angle = random_course(random, 0.2);
+      part.imposed.angle = from_zero(random_course(random, 0.2));
     }
     if (motion == driven && (!turns || random.unit() < 0.5)) {
       part.imposed.direction = random.vector(1.0);
-      part.imposed.shift = random_course(random, 0.01);
+      part.imposed.shift = from_zero(random_course(random, 0.01));
     }
     parts.push_back(part);
   }

@@ -79,8 +79,9 @@ events_mm = [[1, 0], [2, 5]]
 }
 
 TEST_CASE("A part driven by one of angle and shift alone needs nothing of the other", "[unit][io]") {
-  const Scenario turned =
-      scenario_of("[[rigid]]\nregion = \"lung_top\"\nmotion = \"driven\"\nevents_deg = [[0, 0], [1, 3]]\n");
+  const Scenario turned = scenario_of(
+      "[[rigid]]\nregion = \"lung_top\"\nmotion = \"driven\"\naxis = [0, 0, 1]\n"
+      "axis_point_mm = [0, 0, 0]\nevents_deg = [[0, 0], [1, 3]]\n");
   CHECK(norm(turned.rigid[0].imposed.axis - Vec3d{0, 0, 1}) == 0.0);
   CHECK(turned.rigid[0].imposed.shift(1.0) == 0.0);
   const Scenario shifted = scenario_of(
@@ -239,6 +240,8 @@ TEST_CASE("Bad tables of a scenario name file, line, what was found and what was
       {driven + "events_rad = [[0, 1]]\n", ":4:", {"events_rad", "events_deg"}},
       {driven + "direction = [0, 0, 0]\nevents_mm = [[0, 1]]\n", ":1:", {"direction"}},
       {driven + "events_mm = [[0, 1]]\n", ":1:", {"direction"}},
+      {driven + "direction = [0, 0, 1]\nevents_mm = [[0, 1]]\n", ":1:", {"jump"}},
+      {driven + "events_deg = [[0, 0], [1, 1]]\n", ":1:", {"axis_point_mm"}},
       {"[[rigid]]\nregion = 7\n", ":2:", {"region"}},
       {"[rigid]\nregion = \"lung_top\"\n", ":1:", {"[[rigid]]"}},
       {"[[rigid]]\nregion = \"sternum\"\n", ":1:", {"'sternum'", "rib_cage_right"}},
@@ -250,12 +253,13 @@ TEST_CASE("Bad tables of a scenario name file, line, what was found and what was
       {"[[acceleration]]\nregion = \"*\"\nevents_m_s2 = [[0, 1]]\n", ":1:", {"incomplete", "direction"}},
       {"[[acceleration]]\nregion = \"*\"\ndirection = [0, 0, 0]\nevents_m_s2 = [[0, 1]]\n", ":3:", {"zero"}},
       {"[[acceleration]]\nregion = \"*\"\nevents_N = [[0, 1]]\n", ":3:", {"events_N", "events_m_s2"}},
-      {"[[displacement]]\nregion = \"60\"\naxes = [0, 0, 0]\ndirection = [0, 0, 1]\nevents_mm = [[0, 1]]\n",
+      {"[[displacement]]\nregion = \"60\"\naxes = [0, 0, 0]\ndirection = [0, 0, 1]\nevents_mm = [[0, 0], [1, "
+       "1]]\n",
        ":1:",
        {"incomplete"}},
       {"[[displacement]]\nregion = \"60\"\naxes = \"z\"\nevents_mm = [[0, 1]]\n", ":3:", {"three numbers"}},
       {"[[displacement]]\nregion = \"lung_top\"\ndirection = [0, 0, 1]\nevents_mm = [[0, 1]]\n[[rigid]]\n"
-       "region = \"lung_top\"\nmotion = \"driven\"\ndirection = [0, 0, 1]\nevents_mm = [[0, 1]]\n",
+       "region = \"lung_top\"\nmotion = \"driven\"\ndirection = [0, 0, 1]\nevents_mm = [[0, 0], [1, 1]]\n",
        ":1:",
        {"moving rigid part"}},
   };

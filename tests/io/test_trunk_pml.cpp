@@ -222,11 +222,15 @@ TEST_CASE("What a file says of single atoms counts more than the tissue; what it
 }
 
 TEST_CASE("A trunk in metres is read as one in millimetres", "[unit][io]") {
-  std::string text = with(template_text(), "unit=\"mm\"", "unit=\"m\"");
-  const TrunkFile large = trunk_of_pml(text, "t.pml");
   const TrunkMesh mesh = make_template_mesh({});
-  for (std::size_t i = 0; i < mesh.rest.size(); ++i)
-    CHECK(norm(large.mesh.rest[i] - 1e3 * mesh.rest[i]) < 1e-12);
+  TrunkMesh thousandth = mesh;
+  for (Vec3d& p : thousandth.rest) p = 1e-3 * p;
+  std::string text =
+      with(trunk_pml(thousandth, healthy_tissue(mesh, {}), {}, "in metres"), "unit=\"mm\"", "unit=\"m\"");
+  const TrunkMesh read = trunk_of_pml(text, "t.pml").mesh;
+  for (std::size_t i = 0; i < mesh.rest.size(); ++i) CHECK(norm(read.rest[i] - mesh.rest[i]) < 1e-15);
+  CHECK_THROWS_WITH(trunk_of_pml(with(template_text(), "unit=\"mm\"", "unit=\"m\""), "t.pml"),
+                    Contains("unit") && Contains("t.pml") && Contains("20000"));
   text = with(template_text(), " unit=\"mm\"", "");  // PML's own default
   check_same_mesh(trunk_of_pml(text, "t.pml").mesh, mesh);
 }
