@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -19,7 +20,9 @@ constexpr std::size_t largest_file = 100'000'000;
 
 class Reader {
  public:
-  Reader(const pml::PhysicalModel& model, const std::string& file) : model_(model), file_(file) {}
+  /// `root_line`: where the model's own element begins, for messages about its attributes.
+  Reader(const pml::PhysicalModel& model, const std::string& file, std::size_t root_line)
+      : model_(model), file_(file), root_line_(root_line) {}
 
   TrunkFile read() {
     read_atoms();
@@ -45,6 +48,7 @@ class Reader {
 
  private:
   [[noreturn]] void fail(const std::string& text) const { throw InputError(file_, 0, text); }
+  [[noreturn]] void fail_at_root(const std::string& text) const { throw InputError(file_, root_line_, text); }
 
   [[noreturn]] void fail_twice(const std::string& name) const {
     fail(fmt::format("component '{}' occurs twice, expected one of each name", name));
@@ -65,7 +69,7 @@ class Reader {
     const std::string* unit = pml::find(model_.attributes, "unit");
     if (!unit || *unit == "mm") return 1e3;
     if (*unit == "m") return 1.0;
-    fail(fmt::format("the model's unit is '{}', expected mm or m", *unit));
+    fail_at_root(fmt::format("the model's unit is '{}', expected mm or m", *unit));
   }
 
   /// The same limits as the parametric trunk has: a wrong unit shows here.
@@ -82,7 +86,7 @@ class Reader {
   void read_atoms() {
     const double per_metre = units_per_metre();
     if (const std::string* axes = pml::find(model_.attributes, "axes"); axes && *axes != "RAS")
-      fail(fmt::format("the model's axes are '{}', expected RAS: right, forward, up", *axes));
+      fail_at_root(fmt::format("the model's axes are '{}', expected RAS: right, forward, up", *axes));
     if (const std::string* fineness = pml::find(model_.attributes, "fineness"))
       mesh().fineness = number(*fineness, "the model's fineness", 1e-3);
     TrunkMesh::Given& given = mesh().given;
@@ -187,13 +191,17 @@ class Reader {
 
   const pml::PhysicalModel& model_;
   const std::string& file_;
+  std::size_t root_line_;
   TrunkFile result_;
 };
 
 }  // namespace
 
 TrunkFile trunk_of_pml(const std::string& text, const std::string& name) {
-  return Reader(pml::read_pml(text, name), name).read();
+  const pml::PhysicalModel model = pml::read_pml(text, name);
+  const std::size_t root = std::min(text.find("<physicalModel"), text.size());
+  const auto newlines = std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(root), '\n');
+  return Reader(model, name, static_cast<std::size_t>(newlines) + 1).read();
 }
 
 TrunkFile read_trunk_pml(const std::filesystem::path& path) {

@@ -281,8 +281,8 @@ TEST_CASE("A PML that is no trunk: the message names the file, what was found an
                        {std::string("the ") + field + " of atom 0", std::string("'") + value + "'",
                         "number of 0 or more"}});
     }
-  cases.push_back({with(good, "axes=\"RAS\"", "axes=\"LPS\""), {"'LPS'", "RAS"}});
-  cases.push_back({with(good, "unit=\"mm\"", "unit=\"inch\""), {"'inch'", "mm or m"}});
+  cases.push_back({with(good, "axes=\"RAS\"", "axes=\"LPS\""), {"bad.pml:2:", "'LPS'", "RAS"}});
+  cases.push_back({with(good, "unit=\"mm\"", "unit=\"inch\""), {"bad.pml:2:", "'inch'", "mm or m"}});
   for (const char* value : {"0", "-1", "fine", "nan"})
     cases.push_back({with(good, "fineness=\"1\"", std::string("fineness=\"") + value + "\""),
                      {"fineness", value, "expected a number"}});
