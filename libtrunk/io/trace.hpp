@@ -7,14 +7,15 @@
 
 namespace trunk {
 
-enum class SignalKind { volume, flow };
+/// A belt measures a chest's circumference in units of its own: like a volume, up to an unknown factor.
+enum class SignalKind { volume, flow, belt };
 
 /// A measured breathing signal, one value a sample; all vectors with samples have the same length.
 struct Trace {
   std::string source;  ///< file name, for messages
   SignalKind kind = SignalKind::volume;
   std::vector<double> time_s;      ///< strictly increasing
-  std::vector<double> value;       ///< m3 or, for a flow (inspiration positive), m3/s
+  std::vector<double> value;       ///< m3; flow (inspiration positive): m3/s; belt: as in the file
   std::vector<double> sigma_m3;    ///< standard deviation of the volume; empty when not given
   std::vector<std::string> notes;  ///< what was chosen or repaired, for the user
   std::string time_unit = "s";     ///< unit in the file: "s", "ms", "min"; for messages
