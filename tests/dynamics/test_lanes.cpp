@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "support/allocations.hpp"
+#include "support/random.hpp"
 #include "support/trunks.hpp"
 
 using namespace trunk;
@@ -116,6 +117,52 @@ TEST_CASE("Lanes that fail do not disturb their neighbours", "[property][dynamic
   const auto together = histories<Four>(model, trials, {1e-3, 0.1});
   CHECK(together[0].summary.completed());
   for (std::size_t lane : {1, 2, 3}) CHECK_FALSE(together[lane].summary.completed());
+}
+
+TEST_CASE("Searches for contacts end each in its own time, to the bit", "[property][constraints]") {
+  // From far off to round-off about rest, where any choice of contacts would do and a search may end by that.
+  const double sizes[] = {1e-19, 1e-17, 1e-16, 1e-15, 1e-13, 1e-5, 3e-3, 15e-3};
+  Random random(57);
+  const Model model = make_template_trunk({}, {}, Reaction::variational).model;
+  const Parameters<double> parameters{4000.0, 30.0, 20.0};
+  const Parameters<Four> same{Four(4000.0), Four(30.0), Four(20.0)};
+  for (int draw = 0; draw < 300; ++draw) {
+    auto state = rest_state<Four>(model);
+    auto w = make_workspace(model, same, 1e-3);
+    std::vector<State<double>> states(4, rest_state<double>(model));
+    std::vector<Workspace<double>> ws(4, make_workspace(model, parameters, 1e-3));
+    for (std::size_t lane = 0; lane < 4; ++lane) {
+      const double size = sizes[random.bits() % std::size(sizes)];
+      for (std::size_t i = 0; i < model.particles(); ++i)
+        ws[lane].predicted[i] = model.rest[i] + scaled(model.mobility[i], random.vector(size));
+      for (auto& contact : states[lane].contact) contact.touching = random.unit() < 0.5;
+    }
+    for (std::size_t i = 0; i < model.particles(); ++i)
+      w.predicted[i] = packed(ws[0].predicted[i], ws[1].predicted[i], ws[2].predicted[i], ws[3].predicted[i]);
+    for (std::size_t s = 0; s < state.contact.size(); ++s) {
+      LaneMask<4>::Register touching{};
+      for (std::size_t lane = 0; lane < 4; ++lane) touching[lane] = states[lane].contact[s].touching ? -1 : 0;
+      state.contact[s].touching = LaneMask<4>(touching);
+    }
+    calc_planes(model, state, w);
+    const auto together = project_volume_and_supports(model, Four(model.abdomen.rest), state, w);
+    for (std::size_t lane = 0; lane < 4; ++lane) {
+      calc_planes(model, states[lane], ws[lane]);
+      const auto alone = project_volume_and_supports(model, model.abdomen.rest, states[lane], ws[lane]);
+      CAPTURE(draw, lane);
+      const int l = static_cast<int>(lane);
+      REQUIRE(alone.found == in_lane(together.found, l));
+      REQUIRE(alone.multiplier == in_lane(together.multiplier, l));
+      for (std::size_t s = 0; s < state.contact.size(); ++s) {
+        REQUIRE(states[lane].contact[s].touching == in_lane(state.contact[s].touching, l));
+        REQUIRE(states[lane].contact[s].press == in_lane(state.contact[s].press, l));
+      }
+      double apart = 0.0;
+      for (std::size_t i = 0; i < model.particles(); ++i)
+        apart = std::max(apart, norm(unpacked(w.corrected[i]).lane[lane] - ws[lane].corrected[i]));
+      REQUIRE(apart == 0.0);
+    }
+  }
 }
 
 TEST_CASE("When all lanes have failed the simulation stops", "[unit][dynamics]") {
