@@ -73,21 +73,41 @@ BreathRun run_breath(const Trunk& trunk, const Scenario& scenario, int frame_eve
 
 VolumeCurve simulate_volume(const Trunk& trunk, const Parameters<double>& parameters,
                             const BreathActivation<double>& activation, const TimeGrid& grid) {
+  const Trial<double> trial{parameters, activation};
   VolumeCurve curve;
-  calc_volume_curves<double>(trunk.model, {{Trial<double>{parameters, activation}}}, grid, {&curve, 1});
+  kernel().volume_curve(trunk.model, {&trial, 1}, grid, {&curve, 1});
   return curve;
 }
 
 std::vector<VolumeCurve> simulate_volumes(const Trunk& trunk, std::span<const Trial<double>> trials,
                                           const TimeGrid& grid) {
-  constexpr std::size_t lanes = 4;
+  constexpr std::size_t worth_lanes = 3;  // a step of all lanes costs that of 2 to 3 simulations
+  const auto lanes = static_cast<std::size_t>(kernel().lanes);
   std::vector<VolumeCurve> curves(trials.size());
-  for (std::size_t first = 0; first < trials.size(); first += lanes) {
-    const std::size_t count = std::min(lanes, trials.size() - first);
-    calc_volume_curves<Lanes<lanes>>(trunk.model, trials.subspan(first, count), grid,
-                                     std::span(curves).subspan(first, count));
+  for (std::size_t first = 0; first < trials.size();) {
+    const std::size_t left = trials.size() - first;
+    const bool together = left >= std::min(lanes, worth_lanes);
+    const std::size_t count = together ? std::min(lanes, left) : 1;
+    const auto run = together ? kernel().volume_curves : kernel().volume_curve;
+    run(trunk.model, trials.subspan(first, count), grid, std::span(curves).subspan(first, count));
+    first += count;
   }
   return curves;
+}
+
+VolumeDerivatives simulate_volume_derivatives(const Trunk& trunk, const Trial<double>& trial,
+                                              std::span<const Trial<double>> directions,
+                                              const TimeGrid& grid) {
+  const auto at_once = static_cast<std::size_t>(kernel().tangents);
+  VolumeDerivatives result{{}, std::vector<std::vector<double>>(directions.size())};
+  std::size_t first = 0;
+  do {
+    const std::size_t count = std::min(at_once, directions.size() - first);
+    kernel().volume_derivatives(trunk.model, trial, directions.subspan(first, count), grid, result.curve,
+                                std::span(result.along).subspan(first, count));
+    first += count;
+  } while (first < directions.size());
+  return result;
 }
 
 }  // namespace trunk

@@ -40,4 +40,15 @@ VolumeCurve simulate_volume(const Trunk& trunk, const Parameters<double>& parame
 std::vector<VolumeCurve> simulate_volumes(const Trunk& trunk, std::span<const Trial<double>> trials,
                                           const TimeGrid& grid);
 
+/// The volume curve of a trial and how it changes along directions, exactly: each derivative has the entries
+/// of the curve, m3 for a unit of its direction. A direction says by how much each number of the trial grows
+/// (see no_change).
+struct VolumeDerivatives {
+  VolumeCurve curve;
+  std::vector<std::vector<double>> along;  // [directions][steps + 1]
+};
+VolumeDerivatives simulate_volume_derivatives(const Trunk& trunk, const Trial<double>& trial,
+                                              std::span<const Trial<double>> directions,
+                                              const TimeGrid& grid);
+
 }  // namespace trunk

@@ -132,7 +132,7 @@ Projection<S> project_volume_and_supports(const Model& model, const S& target, S
     const Mask<S> exhausted = detail::bracket_is_point(low, high);
     const Mask<S> accepted = ((low < root) & (root < high)) | exhausted;
     const S next = select(accepted, root, S(0.5) * low + S(0.5) * high);
-    multiplier = select(Mask<S>(searching & !reached), next, multiplier);
+    multiplier = differentiable_root(select(Mask<S>(searching & !reached), next, multiplier), cubic, target);
     const Mask<S> kept = detail::update_touching(model, multiplier, searching, w, state);
     searching = Mask<S>(searching & !(reached | (accepted & (kept | exhausted))));
   }

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "math/scalar.hpp"
+#include "math/dual.hpp"
 
 namespace trunk {
 
@@ -44,6 +44,26 @@ S solve_volume(const VolumeCubic<S>& cubic, const S& target) noexcept {
     set_lane(lambda, i, nearest_real_root(alone, in_lane(target, i)).value_or(std::nan("")));
   }
   return lambda;
+}
+
+/// Of a Dual the value alone is solved for.
+template <int N>
+Dual<N> solve_volume(const VolumeCubic<Dual<N>>& cubic, const Dual<N>& target) noexcept {
+  const VolumeCubic<double> values{cubic.c0.value, cubic.c1.value, cubic.c2.value, cubic.c3.value};
+  return Dual<N>(solve_volume(values, target.value));
+}
+
+/// A root as a differentiable function of cubic and target: the same value; of a Dual the tangents are those
+/// of one Newton step, by which they are exact.
+template <Scalar S>
+S differentiable_root(const S& root, const VolumeCubic<S>&, const S&) noexcept {
+  return root;
+}
+template <int N>
+Dual<N> differentiable_root(const Dual<N>& root, const VolumeCubic<Dual<N>>& cubic,
+                            const Dual<N>& target) noexcept {
+  const Dual<N> fixed(root.value);
+  return {root.value, ((target - cubic(fixed)) / cubic.slope(fixed)).tangent};
 }
 
 }  // namespace trunk

@@ -35,6 +35,10 @@ void require_lung(double lowest_volume, Summary& summary) {
       1e6 * lowest_volume);
 }
 
+void require_lung(double start_volume, VolumeCurve& curve) {
+  require_lung(start_volume + *std::min_element(curve.delta_v.begin(), curve.delta_v.end()), curve.summary);
+}
+
 double height(const Model& model) {
   double low = model.rest.front().z(), high = low;
   for (const Vec3d& p : model.rest) {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "activation/breath_activation.hpp"
-#include "dynamics/step.hpp"
+#include "dynamics/kernel.hpp"
 
 namespace trunk {
 
@@ -51,10 +51,12 @@ double height(const Model& model);
 /// Runs from rest over the grid, in lockstep. `observe(step, activation, state, report)` is called at step 0
 /// and after each step. A lane ends early, with the status and time in its Summary, where the volume cannot
 /// be held or a particle moves farther than the trunk is tall: what it then still shows means nothing, and
-/// the others do not feel it. Once all lanes have ended nothing more is observed.
+/// the others do not feel it. Once all lanes have ended nothing more is observed. `advance` is `step`, as
+/// compiled here or elsewhere.
 template <Scalar S, class Observer>
 Summaries<S> simulate_lanes(const Model& model, const Parameters<S>& parameters,
-                            const BreathActivation<S>& activation, const TimeGrid& grid, Observer&& observe) {
+                            const BreathActivation<S>& activation, const TimeGrid& grid, Observer&& observe,
+                            Step<S>* advance = &step<S>) {
   constexpr int steps_between_checks = 16;
   State<S> state = rest_state<S>(model);
   Workspace<S> workspace = make_workspace(model, parameters, grid.dt_s);
@@ -72,7 +74,7 @@ Summaries<S> simulate_lanes(const Model& model, const Parameters<S>& parameters,
 
   observe(0, activation(0.0), state, StepReport<S>{S(0.0), workspace.running});
   for (int n = 1; n <= steps; ++n) {
-    const StepReport<S> report = step(model, parameters, activation(state.time_s), state, workspace);
+    const StepReport<S> report = advance(model, parameters, activation(state.time_s), state, workspace);
     state.time_s = n * grid.dt_s;  // no accumulated round-off
     end(Summary::Status::volume_lost, !report.ok, n);
     if (n % steps_between_checks == 0 || n == steps)
@@ -84,12 +86,14 @@ Summaries<S> simulate_lanes(const Model& model, const Parameters<S>& parameters,
   return summaries;
 }
 
-/// The same for a single simulation.
+/// The same for a single simulation, with the step that is the fastest on this machine.
 template <Scalar S, class Observer>
 Summary simulate(const Model& model, const Parameters<S>& parameters, const BreathActivation<S>& activation,
                  const TimeGrid& grid, Observer&& observe) {
   static_assert(lanes_of<S> == 1);
-  return simulate_lanes(model, parameters, activation, grid, observe)[0];
+  Step<S>* advance = &step<S>;
+  if constexpr (std::same_as<S, double>) advance = kernel().step;
+  return simulate_lanes(model, parameters, activation, grid, observe, advance)[0];
 }
 
 }  // namespace trunk

@@ -21,6 +21,10 @@ struct StepReport {
   Mask<S> ok;          // false where the volume could not be restored or a number is not finite
 };
 
+/// A function that does what `step` does.
+template <Scalar S>
+using Step = StepReport<S>(const Model&, const Parameters<S>&, const S&, State<S>&, Workspace<S>&) noexcept;
+
 /// All forces at the current positions, N. (state, activation) => force
 template <Scalar S>
 void calc_forces(const Model& model, const Parameters<S>& parameters, const S& activation,
@@ -74,11 +78,5 @@ StepReport<S> step(const Model& model, const Parameters<S>& parameters, const S&
   accept(model, projection.multiplier, w, state);
   return {S(1.0 / (w.dt_s * w.dt_s)) * projection.multiplier, projection.found};
 }
-
-// The kernel for double is compiled once, in step.cpp.
-extern template void calc_forces<double>(const Model&, const Parameters<double>&, const double&,
-                                         const State<double>&, Workspace<double>&) noexcept;
-extern template StepReport<double> step<double>(const Model&, const Parameters<double>&, const double&,
-                                                State<double>&, Workspace<double>&) noexcept;
 
 }  // namespace trunk

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "activation/breath_activation.hpp"
+#include "math/dual.hpp"
 #include "model/parameters.hpp"
 
 namespace trunk {
@@ -34,6 +35,25 @@ Trial<S> in_lanes(std::span<const Trial<double>> trials) noexcept {
       set_lane(*numbers(side_by_side)[n], i, *numbers(alone)[n]);
   }
   return side_by_side;
+}
+
+/// A direction in which to change a trial: by nothing.
+inline Trial<double> no_change() noexcept {
+  Trial<double> direction;
+  for (double* number : numbers(direction)) *number = 0.0;
+  return direction;
+}
+
+/// A trial with its derivatives along directions, [0 to N]; along those that are left, 0.
+template <int N>
+Trial<Dual<N>> with_tangents(const Trial<double>& trial, std::span<const Trial<double>> directions) noexcept {
+  Trial<Dual<N>> result = in_lanes<Dual<N>>({&trial, 1});
+  for (std::size_t i = 0; i < directions.size(); ++i) {
+    Trial<double> direction = directions[i];
+    for (std::size_t n = 0; n < numbers(direction).size(); ++n)
+      set_lane(numbers(result)[n]->tangent, static_cast<int>(i), *numbers(direction)[n]);
+  }
+  return result;
 }
 
 }  // namespace trunk

@@ -15,27 +15,54 @@ struct VolumeCurve {
 
 /// A lung of no volume has turned inside out: whatever comes of it is no breath.
 void require_lung(double lowest_volume, Summary& summary);
+void require_lung(double start_volume, VolumeCurve& curve);
+
+/// Lung volume above its start at every step that was reached, m3.
+template <Scalar S>
+Summaries<S> simulate_volume(const Model& model, const Trial<S>& trial, const TimeGrid& grid,
+                             std::vector<S>& delta_v) {
+  const S start_volume(enclosed_volume<double>(model.lung, model.rest));
+  delta_v.reserve(static_cast<std::size_t>(grid.steps()) + 1);
+  return simulate_lanes(model, trial.parameters, trial.activation, grid,
+                        [&](int, const S&, const State<S>& state, const StepReport<S>&) {
+                          delta_v.push_back(enclosed_volume<S>(model.lung, state.position) - start_volume);
+                        });
+}
+
+/// The curve of one lane: what it saw until it ended.
+template <Scalar S>
+VolumeCurve curve_in_lane(const Model& model, std::span<const S> delta_v, Summary summary, int lane) {
+  const std::size_t seen = static_cast<std::size_t>(summary.steps) + (summary.completed() ? 1 : 0);
+  VolumeCurve curve{std::move(summary), {}};
+  curve.delta_v.reserve(seen);
+  for (const S& v : delta_v.first(seen)) curve.delta_v.push_back(in_lane(v, lane));
+  require_lung(enclosed_volume<double>(model.lung, model.rest), curve);
+  return curve;
+}
 
 /// The volume curves of trials, side by side in the lanes of S. trials: [1 to lanes_of<S>], as are curves.
 template <Scalar S>
 void calc_volume_curves(const Model& model, std::span<const Trial<double>> trials, const TimeGrid& grid,
                         std::span<VolumeCurve> curves) {
-  const double start_volume = enclosed_volume<double>(model.lung, model.rest);
-  std::vector<S> delta_v;  // [steps + 1]
-  delta_v.reserve(static_cast<std::size_t>(grid.steps()) + 1);
-  const Trial<S> trial = in_lanes<S>(trials);
-  const Summaries<S> summaries =
-      simulate_lanes(model, trial.parameters, trial.activation, grid,
-                     [&](int, const S&, const State<S>& state, const StepReport<S>&) {
-                       delta_v.push_back(enclosed_volume<S>(model.lung, state.position) - S(start_volume));
-                     });
-  for (std::size_t i = 0; i < trials.size(); ++i) {
-    auto& [summary, curve] = curves[i];
-    summary = summaries[i];
-    const auto seen = static_cast<std::size_t>(summary.steps) + (summary.completed() ? 1 : 0);
-    curve.clear();
-    for (std::size_t n = 0; n < seen; ++n) curve.push_back(in_lane(delta_v[n], static_cast<int>(i)));
-    require_lung(start_volume + *std::min_element(curve.begin(), curve.end()), summary);
+  std::vector<S> delta_v;
+  const Summaries<S> summaries = simulate_volume(model, in_lanes<S>(trials), grid, delta_v);
+  for (std::size_t i = 0; i < trials.size(); ++i)
+    curves[i] = curve_in_lane<S>(model, delta_v, summaries[i], static_cast<int>(i));
+}
+
+/// The volume curve of a trial and its derivatives along directions. directions: [0 to N], as are
+/// derivatives.
+template <int N>
+void calc_volume_derivatives(const Model& model, const Trial<double>& trial,
+                             std::span<const Trial<double>> directions, const TimeGrid& grid,
+                             VolumeCurve& curve, std::span<std::vector<double>> derivatives) {
+  std::vector<Dual<N>> delta_v;
+  const auto summaries = simulate_volume(model, with_tangents<N>(trial, directions), grid, delta_v);
+  curve = curve_in_lane<Dual<N>>(model, delta_v, summaries[0], 0);
+  for (std::size_t i = 0; i < directions.size(); ++i) {
+    derivatives[i].clear();
+    for (const Dual<N>& v : std::span(delta_v).first(curve.delta_v.size()))
+      derivatives[i].push_back(in_lane(v.tangent, static_cast<int>(i)));
   }
 }
 

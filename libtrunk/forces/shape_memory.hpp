@@ -132,6 +132,7 @@ void add_rings(const ShapeMemory& memory, const RingTable::Group& group, int rin
           reaction_on<reaction>(j, neighbours(k), forces[k]);
 }
 
+#ifdef __AVX__
 /// The same for four rings of a single simulation, side by side in the lanes of a register.
 template <Reaction reaction, std::size_t Valence>
 void add_four_rings(const ShapeMemory& memory, const RingTable::Group& group, int ring,
@@ -162,6 +163,8 @@ void add_four_rings(const ShapeMemory& memory, const RingTable::Group& group, in
   }
 }
 
+#endif
+
 /// Adds the forces of all rings. (position, ring_stiffness) => force
 template <Reaction reaction, Scalar S>
 void add_shape_memory(const ShapeMemory& memory, std::span<const S> ring_stiffness,
@@ -170,10 +173,13 @@ void add_shape_memory(const ShapeMemory& memory, std::span<const S> ring_stiffne
     int ring = group.first;
     if constexpr (Valence != std::dynamic_extent)
       for (; ring + 4 <= group.last; ring += 4) {
-        if constexpr (std::same_as<S, double>)
+#ifdef __AVX__
+        if constexpr (std::same_as<S, double>) {
           add_four_rings<reaction, Valence>(memory, group, ring, ring_stiffness, position, force);
-        else
-          add_rings<reaction, 4, Valence>(memory, group, ring, ring_stiffness, position, force);
+          continue;
+        }
+#endif
+        add_rings<reaction, 4, Valence>(memory, group, ring, ring_stiffness, position, force);
       }
     for (; ring < group.last; ++ring)
       add_rings<reaction, 1, Valence>(memory, group, ring, ring_stiffness, position, force);

@@ -8,7 +8,7 @@ namespace trunk {
 
 template <class T, int W>
 struct LaneRegister {  // the element type must be a parameter, or g++ drops the attribute
-  typedef T Type __attribute__((vector_size(W * sizeof(T))));
+  typedef T Type __attribute__((vector_size(W * sizeof(T)), aligned(W * sizeof(T))));
 };
 
 /// A truth in each lane: what comparing two Lanes<W> gives.
@@ -80,6 +80,7 @@ class Lanes {
 template <int W>
 inline constexpr int lanes_of<Lanes<W>> = W;
 
+#ifdef __AVX__
 /// Four vectors as one vector of lanes, and back: a transposition of (x, y, z, 0) rows.
 constexpr Vec3<Lanes<4>> packed(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d) noexcept {
   const auto ab02 = __builtin_shufflevector(a.bits(), b.bits(), 0, 4, 2, 6);
@@ -106,5 +107,6 @@ constexpr Unpacked unpacked(const Vec3<Lanes<4>>& v) noexcept {
           Vec3d(__builtin_shufflevector(xy02, z02, 2, 3, 6, 7)),
           Vec3d(__builtin_shufflevector(xy13, z13, 2, 3, 6, 7))};
 }
+#endif
 
 }  // namespace trunk

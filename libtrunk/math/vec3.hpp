@@ -45,32 +45,85 @@ class Vec3 {
   S x_, y_, z_;
 };
 
-/// The same in one 4-wide register (x, y, z, 0): every operation rounds as in the general form.
+/// The same as (x, y, z, 0) in one 4-wide register, or in two halves where the instruction set has none; the
+/// memory is the same, and every operation rounds as in the general form.
 template <>
-class Vec3<double> {
+class alignas(4 * sizeof(double)) Vec3<double> {
  public:
+  constexpr Vec3() noexcept : Vec3(0.0, 0.0, 0.0) {}
+#ifdef __AVX__
   typedef double Register __attribute__((vector_size(4 * sizeof(double))));
 
   constexpr explicit Vec3(Register xyz0) noexcept : xyz0_(xyz0) {}
-  constexpr Register bits() const noexcept { return xyz0_; }
+  constexpr Register bits() const noexcept {
+    return xyz0_;
+  }
 
-  constexpr Vec3() noexcept : xyz0_{0.0, 0.0, 0.0, 0.0} {}
   constexpr Vec3(double x, double y, double z) noexcept : xyz0_{x, y, z, 0.0} {}
 
-  constexpr double x() const noexcept { return xyz0_[0]; }
-  constexpr double y() const noexcept { return xyz0_[1]; }
-  constexpr double z() const noexcept { return xyz0_[2]; }
+  constexpr double x() const noexcept {
+    return xyz0_[0];
+  }
+  constexpr double y() const noexcept {
+    return xyz0_[1];
+  }
+  constexpr double z() const noexcept {
+    return xyz0_[2];
+  }
 
-  friend constexpr Vec3 operator+(const Vec3& a, const Vec3& b) noexcept { return Vec3(a.xyz0_ + b.xyz0_); }
-  friend constexpr Vec3 operator-(const Vec3& a, const Vec3& b) noexcept { return Vec3(a.xyz0_ - b.xyz0_); }
-  friend constexpr Vec3 operator*(double k, const Vec3& a) noexcept { return Vec3(k * a.xyz0_); }
-  friend constexpr Vec3 hadamard(const Vec3& a, const Vec3& b) noexcept { return Vec3(a.xyz0_ * b.xyz0_); }
+  friend constexpr Vec3 operator+(const Vec3& a, const Vec3& b) noexcept {
+    return Vec3(a.xyz0_ + b.xyz0_);
+  }
+  friend constexpr Vec3 operator-(const Vec3& a, const Vec3& b) noexcept {
+    return Vec3(a.xyz0_ - b.xyz0_);
+  }
+  friend constexpr Vec3 operator*(double k, const Vec3& a) noexcept {
+    return Vec3(k * a.xyz0_);
+  }
+  friend constexpr Vec3 hadamard(const Vec3& a, const Vec3& b) noexcept {
+    return Vec3(a.xyz0_ * b.xyz0_);
+  }
   friend constexpr Vec3 turned(const Vec3& a) noexcept {
     return Vec3(__builtin_shufflevector(a.xyz0_, a.xyz0_, 1, 2, 0, 3));
   }
 
  private:
   Register xyz0_;
+#else
+  typedef double Register __attribute__((vector_size(2 * sizeof(double))));
+
+  constexpr Vec3(Register xy, Register z0) noexcept : xy_(xy), z0_(z0) {}
+  constexpr Vec3(double x, double y, double z) noexcept : xy_{x, y}, z0_{z, 0.0} {}
+
+  constexpr double x() const noexcept {
+    return xy_[0];
+  }
+  constexpr double y() const noexcept {
+    return xy_[1];
+  }
+  constexpr double z() const noexcept {
+    return z0_[0];
+  }
+
+  friend constexpr Vec3 operator+(const Vec3& a, const Vec3& b) noexcept {
+    return {a.xy_ + b.xy_, a.z0_ + b.z0_};
+  }
+  friend constexpr Vec3 operator-(const Vec3& a, const Vec3& b) noexcept {
+    return {a.xy_ - b.xy_, a.z0_ - b.z0_};
+  }
+  friend constexpr Vec3 operator*(double k, const Vec3& a) noexcept {
+    return {k * a.xy_, k * a.z0_};
+  }
+  friend constexpr Vec3 hadamard(const Vec3& a, const Vec3& b) noexcept {
+    return {a.xy_ * b.xy_, a.z0_ * b.z0_};
+  }
+  friend constexpr Vec3 turned(const Vec3& a) noexcept {
+    return {__builtin_shufflevector(a.xy_, a.z0_, 1, 2), __builtin_shufflevector(a.xy_, a.z0_, 0, 3)};
+  }
+
+ private:
+  Register xy_, z0_;
+#endif
 };
 
 using Vec3d = Vec3<double>;

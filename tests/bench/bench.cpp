@@ -1,5 +1,5 @@
 // How long things take: medians over interleaved repeats, so that a slow minute of the machine meets all
-// alike. Run from the root of the project: build/trunk_bench [repeats]
+// alike. Run from the root of the project: build/trunk_bench [repeats [part of a name]]
 
 #include <fmt/format.h>
 
@@ -46,23 +46,43 @@ Entry breath(const std::string& scenario) {
           {}};
 }
 
-/// A batch of that many breaths around the scenario, all different.
-Entry batch(const std::string& scenario, int breaths) {
+/// The same breath as each instruction set does it: alone, all lanes full, with all derivatives at once.
+std::vector<Entry> breaths_by_kernel(const std::string& scenario) {
   const auto file = trunk::read_scenario("scenarios/" + scenario + ".toml");
-  const auto model = trunk::build_trunk(file);
-  std::vector<trunk::Trial<double>> trials;
-  for (int i = 0; i < breaths; ++i) {
-    trials.push_back({file.scenario.parameters, file.scenario.activation});
-    trials.back().parameters.muscle *= 1.0 + 0.1 * i / breaths;
+  const auto model = trunk::build_trunk(file).model;
+  const trunk::TimeGrid grid = file.scenario.time;
+  std::vector<Entry> entries;
+  for (const trunk::Kernel* kernel : trunk::kernels()) {
+    std::vector<trunk::Trial<double>> trials;
+    for (int i = 0; i < kernel->lanes; ++i) {
+      trials.push_back({file.scenario.parameters, file.scenario.activation});
+      trials.back().parameters.muscle *= 1.0 + 0.05 * i;
+    }
+    const auto curves = [=](const auto run, std::size_t count) {
+      return [=] {
+        std::vector<trunk::VolumeCurve> found(count);
+        run(model, std::span(trials).first(count), grid, found);
+        return found.front().summary.steps;
+      };
+    };
+    const auto derivatives = [=] {
+      std::vector<trunk::Trial<double>> directions(static_cast<std::size_t>(kernel->tangents),
+                                                   trunk::no_change());
+      for (std::size_t i = 0; i < directions.size(); ++i) *trunk::numbers(directions[i])[i] = 1.0;
+      trunk::VolumeCurve curve;
+      std::vector<std::vector<double>> found(directions.size());
+      kernel->volume_derivatives(model, trials[0], directions, grid, curve, found);
+      return curve.summary.steps;
+    };
+    const auto named = [&](const std::string& what) {
+      return fmt::format("{}, {}", kernel->instruction_set, what);
+    };
+    entries.push_back({named("one"), curves(kernel->volume_curve, 1), {}});
+    entries.push_back(
+        {named(fmt::format("{} lanes", kernel->lanes)), curves(kernel->volume_curves, trials.size()), {}});
+    entries.push_back({named(fmt::format("{} derivatives", kernel->tangents)), derivatives, {}});
   }
-  return {fmt::format("{} x{}", scenario, breaths),
-          [=] {
-            int steps = 0;
-            for (const auto& curve : trunk::simulate_volumes(model, trials, file.scenario.time))
-              steps += curve.summary.steps;
-            return steps;
-          },
-          {}};
+  return entries;
 }
 
 }  // namespace
@@ -71,7 +91,10 @@ int main(int argc, char** argv) try {
   const int repeats = argc > 1 ? std::atoi(argv[1]) : 21;
   std::vector<Entry> entries;
   for (const char* scenario : {"healthy", "hemiparalysis_right", "published_healthy"})
-    for (Entry& entry : std::vector<Entry>{breath(scenario), batch(scenario, 8)}) entries.push_back(entry);
+    entries.push_back(breath(scenario));
+  for (const Entry& entry : breaths_by_kernel("healthy")) entries.push_back(entry);
+  if (argc > 2)
+    std::erase_if(entries, [&](const Entry& e) { return e.name.find(argv[2]) == std::string::npos; });
   for (int i = 0; i < repeats; ++i)
     for (Entry& entry : entries) entry.ms.push_back(timed_ms(entry));
   fmt::print("{:<24} {:>10} {:>10} {:>10} {:>12}\n", "one breath", "median ms", "best ms", "steps",

@@ -137,8 +137,16 @@ TEST_CASE("Searches for contacts end each in its own time, to the bit", "[proper
         ws[lane].predicted[i] = model.rest[i] + scaled(model.mobility[i], random.vector(size));
       for (auto& contact : states[lane].contact) contact.touching = random.unit() < 0.5;
     }
-    for (std::size_t i = 0; i < model.particles(); ++i)
-      w.predicted[i] = packed(ws[0].predicted[i], ws[1].predicted[i], ws[2].predicted[i], ws[3].predicted[i]);
+    for (std::size_t i = 0; i < model.particles(); ++i) {
+      Four xyz[3];
+      for (std::size_t lane = 0; lane < 4; ++lane) {
+        const Vec3d& x = ws[lane].predicted[i];
+        const double numbers[] = {x.x(), x.y(), x.z()};
+        for (std::size_t axis = 0; axis < 3; ++axis)
+          set_lane(xyz[axis], static_cast<int>(lane), numbers[axis]);
+      }
+      w.predicted[i] = {xyz[0], xyz[1], xyz[2]};
+    }
     for (std::size_t s = 0; s < state.contact.size(); ++s) {
       LaneMask<4>::Register touching{};
       for (std::size_t lane = 0; lane < 4; ++lane) touching[lane] = states[lane].contact[s].touching ? -1 : 0;
@@ -159,7 +167,9 @@ TEST_CASE("Searches for contacts end each in its own time, to the bit", "[proper
       }
       double apart = 0.0;
       for (std::size_t i = 0; i < model.particles(); ++i)
-        apart = std::max(apart, norm(unpacked(w.corrected[i]).lane[lane] - ws[lane].corrected[i]));
+        apart = std::max(apart, norm(Vec3d{in_lane(w.corrected[i].x(), l), in_lane(w.corrected[i].y(), l),
+                                           in_lane(w.corrected[i].z(), l)} -
+                                     ws[lane].corrected[i]));
       REQUIRE(apart == 0.0);
     }
   }
