@@ -12,6 +12,7 @@ namespace trunk {
 struct TimeGrid {
   double dt_s = 1e-3;       // our choice; the paper ran about 3000 steps a second
   double duration_s = 4.5;  // one breath of the paper's activation
+  Damping damping = Damping::implicit;
 
   int steps() const noexcept { return static_cast<int>(std::lround(duration_s / dt_s)); }
 };
@@ -59,7 +60,7 @@ Summaries<S> simulate_lanes(const Model& model, const Parameters<S>& parameters,
                             Step<S>* advance = &step<S>) {
   constexpr int steps_between_checks = 16;
   State<S> state = rest_state<S>(model);
-  Workspace<S> workspace = make_workspace(model, parameters, grid.dt_s);
+  Workspace<S> workspace = make_workspace(model, parameters, grid.dt_s, grid.damping);
   Summaries<S> summaries;
   const double reach_m = height(model);
   const int steps = grid.steps();

@@ -38,12 +38,13 @@ void calc_forces(const Model& model, const Parameters<S>& parameters, const S& a
 }
 
 /// Semi-implicit Euler with implicit damping (our choice): v' = (m v + dt F) / (m + dt c), x' = x + dt v'.
+/// With centred damping: v' = ((m - dt c / 2) v + dt F) / (m + dt c / 2).
 /// (state, force) => predicted
 template <Scalar S>
 void predict(const Model& model, const State<S>& state, Workspace<S>& w) noexcept {
   const S dt(w.dt_s);
   for (std::size_t i = 0; i < model.particles(); ++i) {
-    const Vec3<S> momentum = S(model.mass[i]) * state.velocity[i] + dt * w.force[i];
+    const Vec3<S> momentum = w.momentum_mass[i] * state.velocity[i] + dt * w.force[i];
     const Vec3<S> velocity = scaled(model.mobility[i], w.inverse_effective_mass[i] * momentum);
     w.predicted[i] = state.position[i] + dt * velocity;
   }

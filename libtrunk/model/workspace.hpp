@@ -8,6 +8,13 @@
 
 namespace trunk {
 
+/// Which velocity viscous damping acts on in a step (our choice, README "Design").
+///  - implicit: the one at its end. Stable for any damping, of first order in dt: the motion is that of
+///  particles
+///    heavier by dt c / 2.
+///  - centred: the mean of those at its end and its start. Of second order; calm where dt c < 2 m.
+enum class Damping { implicit, centred };
+
 /// Scratch memory of one simulation, sized once: a step allocates nothing.
 template <Scalar S>
 struct Workspace {
@@ -16,7 +23,8 @@ struct Workspace {
 
   // (model, parameters, dt) => constant during a run
   std::vector<S> ring_stiffness;          // [rings] N/m
-  std::vector<S> inverse_effective_mass;  // [particles] 1 / (m + dt c), 1/kg
+  std::vector<S> momentum_mass;           // [particles] kg, m; centred m - dt c / 2
+  std::vector<S> inverse_effective_mass;  // [particles] 1/kg, 1 / (m + dt c); centred 1 / (m + dt c / 2)
 
   // scratch of one step
   std::vector<Vec3<S>> force;               // [particles] N
@@ -36,8 +44,8 @@ struct Workspace {
   std::vector<Plane> plane;  // [supports]
 
   struct Body {
-    S inverse_effective_mass;  // 1 / (M + dt C), 1/kg; constant during a run
-    S retained;                // M / (M + dt C)
+    S inverse_effective_mass;  // as of particles, constant during a run
+    S retained;                // momentum mass over effective mass
     Pose<S> pose;              // at the end of the step
     Vec3<S> angular_momentum;  // kg m2/s
     // movement per unit of the volume's multiplier
@@ -48,7 +56,13 @@ struct Workspace {
 
 /// Sizes the workspace and derives what stays constant during a run. Allocates.
 template <Scalar S>
-Workspace<S> make_workspace(const Model& model, const Parameters<S>& parameters, double dt_s) {
+Workspace<S> make_workspace(const Model& model, const Parameters<S>& parameters, double dt_s,
+                            Damping damping = Damping::implicit) {
+  const double at_end = damping == Damping::implicit ? 1.0 : 0.5;
+  const auto damped_later = [&](double weight) { return S(at_end * dt_s * weight) * parameters.damping; };
+  const auto damped_before = [&](double weight) {
+    return S((1.0 - at_end) * dt_s * weight) * parameters.damping;
+  };
   Workspace<S> w;
   w.dt_s = dt_s;
   const ShapeMemory& memory = model.shape_memory;
@@ -57,9 +71,11 @@ Workspace<S> make_workspace(const Model& model, const Parameters<S>& parameters,
     const S factor = S(1.0) + share * (parameters.abdomen_factor - S(1.0));
     w.ring_stiffness.push_back(S(memory.stiffness_weight[r]) * factor * parameters.elasticity);
   }
-  for (std::size_t i = 0; i < model.particles(); ++i)
-    w.inverse_effective_mass.push_back(
-        S(1.0) / (S(model.mass[i]) + S(dt_s * model.damping_weight[i]) * parameters.damping));
+  for (std::size_t i = 0; i < model.particles(); ++i) {
+    const S mass(model.mass[i]);
+    w.momentum_mass.push_back(mass - damped_before(model.damping_weight[i]));
+    w.inverse_effective_mass.push_back(S(1.0) / (mass + damped_later(model.damping_weight[i])));
+  }
   w.force.resize(model.particles());
   w.predicted.resize(model.particles());
   w.corrected.resize(model.particles());
@@ -69,9 +85,9 @@ Workspace<S> make_workspace(const Model& model, const Parameters<S>& parameters,
   w.free_direction.resize(model.supports.size());
   w.plane.resize(model.supports.size());
   for (const RigidBody& body : model.bodies) {
-    const S effective_mass = S(body.mass) + S(dt_s * body.damping_weight) * parameters.damping;
-    w.body.push_back(
-        {S(1.0) / effective_mass, S(body.mass) / effective_mass, {lift<S>(body.centre), {}}, {}, {}, {}, {}});
+    const S mass(body.mass), effective_mass = mass + damped_later(body.damping_weight);
+    const S retained = (mass - damped_before(body.damping_weight)) / effective_mass;
+    w.body.push_back({S(1.0) / effective_mass, retained, {lift<S>(body.centre), {}}, {}, {}, {}, {}});
   }
   return w;
 }
