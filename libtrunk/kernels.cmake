@@ -22,6 +22,7 @@ function(trunk_kernel name instructions lanes)
     COMMAND ${CMAKE_OBJCOPY} --wildcard --keep-global-symbol=*kernel_${name}* ${sealed}
     DEPENDS $<TARGET_OBJECTS:${library}> COMMAND_EXPAND_LISTS VERBATIM)
   target_sources(trunk_dynamics PRIVATE ${sealed})
+  set_property(GLOBAL APPEND PROPERTY TRUNK_SEALED_KERNELS ${sealed})
   set_source_files_properties(${sealed} PROPERTIES EXTERNAL_OBJECT TRUE GENERATED TRUE)
 endfunction()
 

@@ -61,9 +61,10 @@ double highest_squared_frequency(const Model& model, const Parameters<double>& p
 
 }  // namespace
 
-double stable_time_step(const Model& model, const Parameters<double>& parameters) {
+double stable_time_step(const Model& model, const Parameters<double>& parameters, Damping damping) {
   const double squared = highest_squared_frequency(model, parameters);
   if (squared <= 0.0) return std::numeric_limits<double>::infinity();
+  if (damping == Damping::centred) return 2.0 / std::sqrt(squared);
   double rate = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < model.particles(); ++i)
     rate = std::min(rate, parameters.damping * model.damping_weight[i] / model.mass[i]);

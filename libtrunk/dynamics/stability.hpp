@@ -2,13 +2,15 @@
 
 #include "model/model.hpp"
 #include "model/parameters.hpp"
+#include "model/workspace.hpp"
 
 namespace trunk {
 
 /// The longest stable time step at rest with full activation, s. The highest angular frequency w of
 /// M^-1 dF/dx comes from power iteration on finite differences of the forces; semi-implicit Euler with
 /// implicit damping (rate g = c/m) is stable while dt^2 w^2 < 4 + 2 g dt, hence dt < (g + sqrt(g^2 + 4 w^2))
-/// / w^2.
-double stable_time_step(const Model& model, const Parameters<double>& parameters);
+/// / w^2; with centred damping dt < 2 / w whatever g.
+double stable_time_step(const Model& model, const Parameters<double>& parameters,
+                        Damping damping = Damping::implicit);
 
 }  // namespace trunk

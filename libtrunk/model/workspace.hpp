@@ -8,11 +8,11 @@
 
 namespace trunk {
 
-/// Which velocity viscous damping acts on in a step (our choice, README "Design").
+/// Which velocity viscous damping acts on in a step (our choice).
 ///  - implicit: the one at its end. Stable for any damping, of first order in dt: the motion is that of
 ///  particles
 ///    heavier by dt c / 2.
-///  - centred: the mean of those at its end and its start. Of second order; calm where dt c < 2 m.
+///  - centred: the mean of those at its end and its start, which adds no mass. Calm where dt c < 2 m.
 enum class Damping { implicit, centred };
 
 /// Scratch memory of one simulation, sized once: a step allocates nothing.

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "anatomy/breath_run.hpp"
+#include "dynamics/auto_time_step.hpp"
 #include "io/scenario_file.hpp"
 
 namespace {
@@ -85,6 +86,18 @@ std::vector<Entry> breaths_by_kernel(const std::string& scenario) {
   return entries;
 }
 
+/// The breath with the time step that is chosen for it; choosing is not part of the time.
+Entry breath_at_auto_step(const std::string& scenario) {
+  const auto file = trunk::read_scenario("scenarios/" + scenario + ".toml");
+  const auto model = trunk::build_trunk(file);
+  const auto& [parameters, activation] = std::pair(file.scenario.parameters, file.scenario.activation);
+  const auto grid =
+      trunk::auto_time_step(model.model, parameters, activation, file.scenario.time.duration_s).grid;
+  return {fmt::format("{}, dt auto", scenario),
+          [=] { return trunk::simulate_volume(model, parameters, activation, grid).summary.steps; },
+          {}};
+}
+
 }  // namespace
 
 int main(int argc, char** argv) try {
@@ -92,15 +105,17 @@ int main(int argc, char** argv) try {
   std::vector<Entry> entries;
   for (const char* scenario : {"healthy", "hemiparalysis_right", "published_healthy"})
     entries.push_back(breath(scenario));
+  for (const char* scenario : {"healthy", "hemiparalysis_right", "published_healthy"})
+    entries.push_back(breath_at_auto_step(scenario));
   for (const Entry& entry : breaths_by_kernel("healthy")) entries.push_back(entry);
   if (argc > 2)
     std::erase_if(entries, [&](const Entry& e) { return e.name.find(argv[2]) == std::string::npos; });
   for (int i = 0; i < repeats; ++i)
     for (Entry& entry : entries) entry.ms.push_back(timed_ms(entry));
-  fmt::print("{:<24} {:>10} {:>10} {:>10} {:>12}\n", "one breath", "median ms", "best ms", "steps",
+  fmt::print("{:<32} {:>10} {:>10} {:>10} {:>12}\n", "one breath", "median ms", "best ms", "steps",
              "us a step");
   for (const Entry& e : entries)
-    fmt::print("{:<24} {:>10.2f} {:>10.2f} {:>10} {:>12.3f}\n", e.name, median(e.ms),
+    fmt::print("{:<32} {:>10.2f} {:>10.2f} {:>10} {:>12.3f}\n", e.name, median(e.ms),
                *std::min_element(e.ms.begin(), e.ms.end()), e.steps, 1e3 * median(e.ms) / e.steps);
   return 0;
 } catch (const std::exception& error) {

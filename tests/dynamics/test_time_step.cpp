@@ -1,6 +1,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "dynamics/auto_time_step.hpp"
 #include "dynamics/stability.hpp"
 #include "support/trunks.hpp"
 
@@ -99,6 +100,62 @@ TEST_CASE("Just below the stability bound a run completes, above it it does not"
       CHECK(below.completed());
       CHECK((!above.completed() || growth > 100.0));
     }
+}
+
+TEST_CASE("The time step chosen is stable and shows the volume of 0.25 ms within 0.1 %",
+          "[property][dynamics][slow]") {
+  struct Expected {
+    const char* name;
+    double at_least_s;
+  };
+  for (const Expected& expected : {Expected{"healthy", 3e-3},
+                                   {"hemiparalysis_right", 4e-3},
+                                   {"exercise_healthy", 1.5e-3},
+                                   {"published_healthy", 5e-3}}) {
+    const Scenario s = shipped(expected.name);
+    const Trunk trunk = make_trunk(s);
+    const TimeStepChoice choice = auto_time_step(trunk.model, s.parameters, s.activation, s.time.duration_s);
+    CAPTURE(expected.name, choice.grid.dt_s, choice.stable_s, choice.estimated_error);
+    CHECK(choice.grid.dt_s >= expected.at_least_s);
+    CHECK(choice.grid.dt_s < choice.stable_s);
+    const auto chosen = simulate_volume(trunk, s.parameters, s.activation, choice.grid).delta_v;
+    const auto fine =
+        simulate_volume(trunk, s.parameters, s.activation, {0.25e-3, s.time.duration_s}).delta_v;
+    const auto every = static_cast<std::size_t>(std::lround(choice.grid.dt_s / 0.25e-3));
+    double apart = 0.0;
+    for (std::size_t n = 0; n < chosen.size(); ++n)
+      apart = std::max(apart, std::abs(chosen[n] - fine.at(n * every)));
+    const double error = apart / *std::max_element(fine.begin(), fine.end());
+    CHECK(error < 1e-3);
+    WARN(expected.name << ": " << 1e3 * choice.grid.dt_s << " ms, "
+                       << (choice.grid.damping == Damping::centred ? "centred" : "implicit")
+                       << " damping, error " << 100 * error << " %, estimated "
+                       << 100 * choice.estimated_error << " %, stable below " << 1e3 * choice.stable_s
+                       << " ms");
+  }
+}
+
+TEST_CASE("Where no longer step will do the time step is 1 ms", "[unit][dynamics]") {
+  const Scenario s = shipped("healthy");
+  const Model model = make_trunk(s).model;
+  Parameters<double> stiff = s.parameters;
+  stiff.elasticity *= 30.0;  // stable below 1.3 ms
+  CHECK(auto_time_step(model, stiff, s.activation, 0.1).grid.dt_s == 1e-3);
+  stiff.elasticity = 1e9;  // diverges
+  CHECK(auto_time_step(model, stiff, s.activation, 0.1).grid.dt_s == 1e-3);
+}
+
+TEST_CASE("Centred damping leaves less than a tenth of the error where nothing touches",
+          "[property][dynamics][slow]") {
+  const auto error_at_4_ms = [](Damping damping) {
+    Scenario scenario = shipped("published_healthy");
+    scenario.time.damping = damping;
+    return rms(curves_with(scenario, 4e-3).delta_v, curves_with(scenario, 1e-3).delta_v);
+  };
+  const double implicit = error_at_4_ms(Damping::implicit), centred = error_at_4_ms(Damping::centred);
+  CAPTURE(implicit, centred);
+  CHECK(implicit > 1e-8);
+  CHECK(centred < 0.1 * implicit);
 }
 
 TEST_CASE("The stability bound of one spring is the textbook's", "[unit][dynamics]") {
