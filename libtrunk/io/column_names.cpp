@@ -18,7 +18,7 @@ struct Unit {
 
 // Longer suffixes stand before the ones they end with: "_l_min" before "_min".
 constexpr double litre = 1e-3, millilitre = 1e-6, minute = 60;
-constexpr std::array units{
+constexpr std::array known_units{
     Unit{"_ml_sec", "ml_s", Quantity::flow, millilitre},
     Unit{"_ml_s", "ml_s", Quantity::flow, millilitre},
     Unit{"_l_min", "L_min", Quantity::flow, litre / minute},
@@ -80,10 +80,10 @@ std::vector<std::string> expected_names(Quantity quantity) {
 ColumnName column_name(std::string_view header) {
   ColumnName column{std::string(header), plain_name(header), {}, {}, Quantity::unknown, 1};
   column.base = column.plain;
-  const auto unit = std::find_if(units.begin(), units.end(), [&](const Unit& candidate) {
+  const auto unit = std::find_if(known_units.begin(), known_units.end(), [&](const Unit& candidate) {
     return column.plain.ends_with(candidate.suffix);
   });
-  if (unit == units.end()) return column;
+  if (unit == known_units.end()) return column;
   column.base.resize(column.plain.size() - unit->suffix.size());
   column.unit = unit->name;
   column.quantity = unit->quantity;

@@ -15,7 +15,7 @@
 namespace trunk {
 namespace {
 
-constexpr std::size_t largest_file = 10'000'000;
+constexpr std::size_t largest_scenario = 10'000'000;
 
 const ScenarioKey* find_key(const std::string& path) {
   for (const ScenarioKey& key : scenario_keys())
@@ -77,7 +77,7 @@ class Reader {
   explicit Reader(ScenarioFile& file) : file_(file) {}
 
   void read(const std::filesystem::path& path, int depth) {
-    const std::string text = read_text_file(path, largest_file);
+    const std::string text = read_text_file(path, largest_scenario);
     if (depth == 0) file_.text = text;
     file_.inputs.push_back(path);
     read_text(text, path, depth);
