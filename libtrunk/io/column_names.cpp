@@ -244,7 +244,9 @@ ColumnName column_name(std::string_view header) {
   ColumnName column{std::string(header), plain_name(header), {}, {}, Quantity::unknown, 1};
   column.base = column.plain;
   const std::string plain = without_conditions(column.plain);
-  if (const auto brackets = unit_in_brackets(header)) {
+  if (const auto unit = unit_of(header))
+    column.set(*unit);
+  else if (const auto brackets = unit_in_brackets(header)) {
     column.base = plain_name(brackets->rest);
     column.set(brackets->unit);
   } else if (const Spelling* spelling = ending_of(plain)) {
@@ -263,6 +265,10 @@ bool is_documented(const ColumnName& column) {
 
 std::optional<Role> role_of(const ColumnName& column) {
   std::optional<Role> role;
+  if (unit_of(column.base))  // a unit stands for the name
+    return column.quantity == Quantity::time   ? Role::time
+           : column.quantity == Quantity::flow ? Role::flow
+                                               : Role::volume;
   for (const std::string_view part : parts_of(column.base)) {
     const auto word =
         std::find_if(column_words.begin(), column_words.end(), [&](const Word& w) { return w.text == part; });

@@ -31,7 +31,8 @@ struct ColumnName {
 };
 
 /// Reads a header (UTF-8, any case). The unit ends the name or stands in brackets: us ms s min h; ml cl dl L
-/// m3 (cm3 and cc are ml); ml_s L_s L_min ml_min m3_s, and their spellings in words.
+/// m3 (cm3 and cc are ml); ml_s L_s L_min ml_min m3_s, and their spellings in words. A unit may be all of the
+/// name.
 ColumnName column_name(std::string_view header);
 
 /// What a column is by its name, without its unit: in English, German, French, Spanish, Italian, Portuguese,

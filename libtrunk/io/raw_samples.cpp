@@ -79,7 +79,7 @@ void RawSamples::bridge_missing(std::vector<std::string>& notes) {
         run.end - run.begin > 1 ? " (the first of " + count_of(run.end - run.begin) + " in a row)" : "";
     mistakes.add(flaw(run.begin) + more);
   }
-  if (mistakes.texts().empty() && 10 * missing > size())
+  if (mistakes.empty() && 10 * missing > size())
     mistakes.add(flaw(runs.front().begin) + " (the first of " + count_of(missing) +
                  ", more than a tenth of all)");
   mistakes.settle();
@@ -100,8 +100,8 @@ void RawSamples::note(const std::vector<Run>& runs, std::vector<std::string>& no
     if (count == 0) continue;
     const std::string cause = flaw(first);
     notes.push_back(count_of(count) + " without a number " +
-                    (end ? "left out at an end of the recording" : "interpolated") +
-                    (count > 1 ? ", the first at " : " at ") + cause.substr(0, cause.find(';')));
+                    (end ? "at an end of the recording left out" : "interpolated") +
+                    (count > 1 ? "; the first: " : ": ") + cause.substr(0, cause.find(';')));
   }
 }
 
@@ -138,6 +138,14 @@ std::vector<double> RawSamples::time_s() const {
   if (columns_.time) return scaled(1, *columns_.time);
   std::vector<double> time(size());
   for (std::size_t i = 0; i < time.size(); ++i) time[i] = static_cast<double>(i) / columns_.rate_hz;
+  return time;
+}
+
+std::vector<double> RawSamples::time_of_whole_samples_s() const {
+  std::vector<double> time = time_s();
+  for (const Run& run : runs_without_number())
+    std::fill(time.begin() + static_cast<std::ptrdiff_t>(run.begin),
+              time.begin() + static_cast<std::ptrdiff_t>(run.end), NAN);
   return time;
 }
 

@@ -14,6 +14,7 @@ class RawSamples {
   /// Reads the chosen channels.
   RawSamples(Recording& recording, const TraceColumns& columns);
 
+  const std::string& word() const { return recording_.word; }
   std::size_t size() const { return samples_.values.front().size(); }
 
   /// Puts numbers where samples have none (NaN): interpolated, by sample number, over at most a quarter of a
@@ -23,6 +24,7 @@ class RawSamples {
 
   /// In SI units; a belt's value as in the file. Times are those of the samples, or counted by their rate.
   std::vector<double> time_s() const;
+  std::vector<double> time_of_whole_samples_s() const;  ///< NaN where another number is missing
   std::vector<double> value() const;
   std::vector<double> sigma_m3() const;  ///< empty where there is none
 

@@ -30,15 +30,25 @@ struct Line {
   double at(std::size_t i) const { return start + step * static_cast<double>(i); }
 };
 
-// Least squares over sample numbers.
+// Least squares through the samples at which the clock moves on: those are within a step of its time, the
+// others anywhere in its resolution.
 Line even_course(const Times& time) {
-  const auto n = static_cast<double>(time.size());
-  const double middle = (n - 1) / 2;
-  double mean = 0, slope = 0;
-  for (const double t : time) mean += t / n;
-  for (std::size_t i = 0; i < time.size(); ++i) slope += (static_cast<double>(i) - middle) * (time[i] - mean);
-  slope /= n * (n * n - 1) / 12;
-  return {mean - slope * middle, slope};
+  std::vector<std::size_t> moves;
+  for (std::size_t i = 1; i < time.size(); ++i)
+    if (time[i] > time[i - 1]) moves.push_back(i);
+  const auto n = static_cast<double>(moves.size());
+  double mean_i = 0, mean_t = 0, covariance = 0, variance = 0;
+  for (const std::size_t i : moves) {
+    mean_i += static_cast<double>(i) / n;
+    mean_t += time[i] / n;
+  }
+  for (const std::size_t i : moves) {
+    const double di = static_cast<double>(i) - mean_i;
+    covariance += di * (time[i] - mean_t);
+    variance += di * di;
+  }
+  const double step = covariance / variance;
+  return {mean_t - step * mean_i, step};
 }
 
 void spread_shared(Times& time, std::vector<std::string>& notes) {
@@ -54,20 +64,6 @@ void spread_shared(Times& time, std::vector<std::string>& notes) {
   notes.push_back(
       std::to_string(shared) + " samples share the time of the one before: the clock's resolution is " +
       number_text(resolution) + " s; spread evenly, " + number_text(1 / course.step) + " a second");
-}
-
-void check_increases(const Times& time, const RawSamples& samples, const ColumnName& column) {
-  Mistakes mistakes;
-  for (std::size_t i = 1; i < time.size(); ++i)
-    if (!(time[i] > time[i - 1]))
-      mistakes.add(samples
-                       .error(i, "time " + number_text(time[i] / column.to_si, 10) + " found after " +
-                                     number_text(time[i - 1] / column.to_si, 10) + " in " +
-                                     excerpt(column.text) +
-                                     "; expected times that increase from row to row; sort the rows or split "
-                                     "joined recordings")
-                       .what());
-  mistakes.settle();
 }
 
 void check_gaps(const Times& time, double step, const RawSamples& samples) {
@@ -109,6 +105,23 @@ void check_rate(double step, const RawSamples& samples, const ColumnName* column
 }
 
 }  // namespace
+
+void check_increases(const Times& time, const RawSamples& samples, const ColumnName& column) {
+  Mistakes mistakes;
+  double last = -INFINITY;
+  for (std::size_t i = 0; i < time.size(); ++i) {
+    if (time[i] <= last)
+      mistakes.add(samples
+                       .error(i, "time " + number_text(time[i] / column.to_si, 10) + " found after " +
+                                     number_text(last / column.to_si, 10) + " in " + samples.word() + " " +
+                                     excerpt(column.text) +
+                                     "; expected times that increase from row to row; sort the rows or split "
+                                     "joined recordings")
+                       .what());
+    if (std::isfinite(time[i])) last = time[i];
+  }
+  mistakes.settle();
+}
 
 void settle_times(std::vector<double>& time_s, const RawSamples& samples, const ColumnName* column,
                   std::vector<std::string>& notes) {

@@ -12,6 +12,7 @@ namespace trunk {
 namespace {
 
 constexpr std::size_t longest_preamble = 20'000;  // lines
+constexpr std::size_t farthest_header = 30;       // lines above the numbers
 
 using Cells = std::vector<std::string_view>;
 
@@ -21,6 +22,12 @@ bool is_numeric(std::string_view cell, char delimiter) {
 
 bool any_numeric(const Cells& cells, char delimiter) {
   return std::any_of(cells.begin(), cells.end(), [&](auto cell) { return is_numeric(cell, delimiter); });
+}
+
+// "0.01 s" is no name.
+bool any_starts_with_digit(const Cells& cells) {
+  return std::any_of(cells.begin(), cells.end(),
+                     [](auto cell) { return !cell.empty() && cell.front() >= '0' && cell.front() <= '9'; });
 }
 
 bool has_letter(const Cells& cells) {
@@ -67,8 +74,8 @@ class LayoutFinder {
     read_declaration();
     const std::optional<std::size_t> rows = first_rows();
     if (!rows) delimiter_ = declared_.value_or(guessed_delimiter(lines_[first_].text));
-    if (!rows) return any_numeric(first_cell(), delimiter_) ? unnamed(first_) : below(first_);
-    if (const auto header = header_above(*rows)) return below(*header);
+    if (!rows) return any_numeric(first_cell(), delimiter_) ? unnamed(first_) : below(first_, first_);
+    if (const auto header = header_above(*rows)) return below(*header, *rows);
     if (const auto comment = cells_of(lines_[*rows].comment); names_a_quantity(comment)) {
       TableLayout layout = unnamed(*rows);
       layout.names = joined_names(comment, delimiter_);
@@ -152,23 +159,31 @@ class LayoutFinder {
   }
 
   bool can_be_header(const Cells& cells) const {
-    return cells.size() >= 2 && has_letter(cells) && !any_numeric(cells, delimiter_);
+    return cells.size() >= 2 && has_letter(cells) && !any_numeric(cells, delimiter_) &&
+           !any_starts_with_digit(cells);
   }
 
+  // The nearest line above that names a quantity, else the first line if that does; else whatever stands
+  // right above the numbers (and their units) and may be names.
   std::optional<std::size_t> header_above(std::size_t rows) const {
-    std::optional<std::size_t> header;
-    for (std::size_t back = 1; back <= 2 && first_ + back <= rows && !header; ++back) {
-      const Cells cells = cells_of(lines_[rows - back].text);
-      if (can_be_header(cells) && !is_units_row(cells, delimiter_)) header = rows - back;
-      if (!is_units_row(cells, delimiter_)) break;
+    std::optional<std::size_t> units, nearest;
+    for (std::size_t i = rows; i > first_ && i + farthest_header > rows; --i) {
+      const Cells cells = cells_of(lines_[i - 1].text);
+      const bool has_units = is_units_row(cells, delimiter_);
+      if (has_units && !units) {
+        units = i - 1;
+      } else if (can_be_header(cells)) {
+        if (names_a_quantity(cells)) return i - 1;
+        if (i == rows || (units && i == *units)) nearest = i - 1;
+      }
     }
-    if (header && names_a_quantity(cells_of(lines_[*header].text))) return header;
     const Cells first = cells_of(lines_[first_].text);
-    const bool first_names = rows > first_ && !any_numeric(first, delimiter_) && names_a_quantity(first);
-    return first_names ? first_ : header;
+    if (rows > first_ && !any_numeric(first, delimiter_) && names_a_quantity(first)) return first_;
+    return nearest ? nearest : units;
   }
 
-  TableLayout below(std::size_t header) {
+  // Lines without a number between header and rows are passed over; one may hold units.
+  TableLayout below(std::size_t header, std::size_t rows) {
     Cells cells;
     const std::size_t number = lines_[header].after.number();
     if (!split_cells(lines_[header].text, delimiter_, cells))
@@ -176,12 +191,16 @@ class LayoutFinder {
     if (cells.empty())
       fail(number, "a line of empty cells found; expected a header line that names the columns");
     TableLayout layout{delimiter_, number, true, joined_names(cells, delimiter_), {}, lines_[header].after};
-    if (!has_line(header + 1)) return layout;
-    const auto units = cells_of(lines_[header + 1].text);
-    if (units.size() > layout.names.size() || !is_units_row(units, delimiter_)) return layout;
-    layout.units.assign(units.begin(), units.end());
-    layout.units.resize(layout.names.size());
-    layout.rows = lines_[header + 1].after;
+    for (std::size_t i = header + 1; i < header + farthest_header && has_line(i); ++i) {
+      cells = cells_of(lines_[i].text);
+      if (any_numeric(cells, delimiter_)) break;
+      if (i < rows) layout.rows = lines_[i].after;
+      if (!layout.units.empty() || cells.size() > layout.names.size() || !is_units_row(cells, delimiter_))
+        continue;
+      layout.rows = lines_[i].after;
+      layout.units.assign(cells.begin(), cells.end());
+      layout.units.resize(layout.names.size());
+    }
     return layout;
   }
 

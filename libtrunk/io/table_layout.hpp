@@ -18,11 +18,12 @@ struct TableLayout {
 };
 
 /// Finds header and delimiter. Above the header there may be up to 20000 lines of something else, as loggers
-/// write it: what counts is the line above the first three that hold numbers in two or more cells (our
-/// choice), unless an earlier first line names a quantity. A spreadsheet's `sep=;` declares the delimiter;
-/// below the header there may be a row of units. A comment right above the numbers is the header where it
-/// names a quantity. Throws InputError: nothing but blank lines and comments, a first line of empty cells, an
-/// open quote in the header.
+/// write it: what counts is the first three lines that hold numbers in two or more cells, and above these the
+/// nearest of 30 lines that names a quantity; else the first line of all where it does, else the line right
+/// above (all our choice). Between header and numbers there may be lines without numbers, one of them with
+/// units. A spreadsheet's `sep=;` declares the delimiter. A comment right above the numbers is the header
+/// where it names a quantity and nothing else does. Throws InputError: nothing but blank lines and comments,
+/// a first line of empty cells, an open quote in the header.
 TableLayout table_layout(TextLines lines);
 
 }  // namespace trunk

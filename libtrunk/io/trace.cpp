@@ -51,15 +51,17 @@ Trace read_trace(const std::filesystem::path& path, const TraceOptions& options)
   Trace trace = described_by(columns, path.string());
   RawSamples samples(*recording, columns);
   check_enough_samples(samples, *recording);
-  samples.bridge_missing(trace.notes);
+  const ColumnName* clock = columns.time ? &columns.all[*columns.time] : nullptr;
+  Mistakes mistakes;
+  if (!mistakes.gather([&] { samples.bridge_missing(trace.notes); })) {
+    if (clock) mistakes.gather([&] { check_increases(samples.time_of_whole_samples_s(), samples, *clock); });
+    mistakes.settle();
+  }
   check_enough_samples(samples, *recording);
   trace.time_s = samples.time_s();
   trace.value = samples.value();
   trace.sigma_m3 = samples.sigma_m3();
-  Mistakes mistakes;
-  mistakes.gather([&] {
-    settle_times(trace.time_s, samples, columns.time ? &columns.all[*columns.time] : nullptr, trace.notes);
-  });
+  mistakes.gather([&] { settle_times(trace.time_s, samples, clock, trace.notes); });
   mistakes.gather([&] { check_positive(trace.sigma_m3, samples); });
   mistakes.settle();
   return trace;

@@ -42,7 +42,7 @@ class ColumnChoice {
     mistakes.gather([&] { choose_time(); });
     mistakes.gather([&] { choose_value(); });
     mistakes.gather([&] { chosen_.sigma = documented("sigma", Quantity::volume); });
-    if (mistakes.texts().empty()) mistakes.gather([&] { choose_rate(); });
+    if (mistakes.empty()) mistakes.gather([&] { choose_rate(); });
     mistakes.settle();
     return chosen_;
   }
@@ -125,7 +125,7 @@ class ColumnChoice {
   [[noreturn]] void missing(const std::string& what, const std::string& expected, std::string hint,
                             const std::string& option) const {
     if (chosen_.all.size() == 1 && recording_.word == "column")
-      hint = "separate the columns by comma, semicolon or tab";
+      hint = "separate the columns by comma, semicolon or tab, or give --rate HZ for evenly spaced samples";
     if (hint.empty()) hint = "rename the " + recording_.word + " that holds it, or pick it with " + option;
     fail("no " + what + " " + recording_.word + " among " + list_of(chosen_.all) + "; expected " + expected +
          "; " + hint);
