@@ -290,19 +290,18 @@ std::string suggestion(const std::vector<ColumnName>& columns, Quantity quantity
                                                                  : "--unit L/s";
   for (const auto& column : columns)
     if (column.quantity == Quantity::unknown && role_of(column) == role_of(first))
-      return "column " + excerpt(column.text) + " has no unit: name it " + names.front() + " or " + names[1] +
+      return excerpt(column.text) + " has no unit: name it " + names.front() + " or " + names[1] +
              ", or add one like " + unit_option;
   for (const auto& column : columns)
     if (column.plain.starts_with(first.base) && column.quantity == Quantity::unknown)
-      return "the unit of column " + excerpt(column.text) + " is not known: convert it to " + names.front();
+      return "the unit of " + excerpt(column.text) + " is not known: convert it to " + names.front();
   for (const auto& column : columns)
     for (const auto& name : names)
       if (edit_distance(column.plain, column_name(name).plain) <= 2)
-        return "if column " + excerpt(column.text) + " is meant, name it " + name;
+        return "if " + excerpt(column.text) + " is meant, name it " + name;
   for (const auto& column : columns)
     if (column.quantity == quantity)
-      return "if column " + excerpt(column.text) + " is meant, add --" + first.base + " " +
-             excerpt(column.text);
+      return "if " + excerpt(column.text) + " is meant, add --" + first.base + " " + excerpt(column.text);
   return "";
 }
 

@@ -53,17 +53,20 @@ std::vector<RawSamples::Run> RawSamples::runs_without_number() const {
   return runs;
 }
 
-// The mean step: a tenth of the samples may lack their time.
+// The median over steps a tenth of the recording wide, which neither single wrong times nor a coarse clock
+// change; infinite where the times tell nothing.
 double RawSamples::step_s() const {
   if (!columns_.time) return 1 / columns_.rate_hz;
-  double first = NAN, last = NAN;
-  for (const double time : samples_.values[1]) {
-    if (!std::isfinite(time)) continue;
-    if (!std::isfinite(first)) first = time;
-    last = time;
-  }
-  return columns_.all[*columns_.time].to_si * (last - first) /
-         static_cast<double>(std::max<std::size_t>(size(), 2) - 1);
+  const std::vector<double>& time = samples_.values[1];
+  const std::size_t width = std::max<std::size_t>(time.size() / 10, 1);
+  std::vector<double> steps;
+  for (std::size_t i = width; i < time.size(); ++i)
+    if (std::isfinite(time[i] - time[i - width]))
+      steps.push_back((time[i] - time[i - width]) / static_cast<double>(width));
+  if (steps.empty()) return INFINITY;
+  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+  std::nth_element(steps.begin(), middle, steps.end());
+  return *middle > 0 ? *middle * columns_.all[*columns_.time].to_si : INFINITY;
 }
 
 void RawSamples::bridge_missing(std::vector<std::string>& notes) {

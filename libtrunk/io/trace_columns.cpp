@@ -38,6 +38,8 @@ class ColumnChoice {
 
   TraceColumns choose() {
     require_header();
+    if (options_.kind != SignalKind::belt) require_unit("--unit", options_.unit, false);
+    require_unit("--time-unit", options_.time_unit, true);
     Mistakes mistakes;
     mistakes.gather([&] { choose_time(); });
     mistakes.gather([&] { choose_value(); });
@@ -87,11 +89,13 @@ class ColumnChoice {
     });
   }
 
-  // Whether a column of that role is in a unit of that quantity, or has none and an option gives it.
-  static bool fits(const ColumnName& column, Quantity quantity, const std::string& unit_option) {
+  // Whether a column of that role is in a unit of that quantity, or has none and an option gives it. Where
+  // names have no room for a unit, times without one are likely seconds.
+  bool fits(const ColumnName& column, Quantity quantity, const std::string& unit_option) const {
     if (column.quantity == quantity) return true;
+    if (column.quantity != Quantity::unknown) return false;
     const auto given = unit_of(unit_option);
-    return column.quantity == Quantity::unknown && given && given->quantity == quantity;
+    return given ? given->quantity == quantity : quantity == Quantity::time && recording_.header_line == 0;
   }
 
   // By our names, else by words of the same meaning, which is told.
@@ -124,7 +128,7 @@ class ColumnChoice {
 
   [[noreturn]] void missing(const std::string& what, const std::string& expected, std::string hint,
                             const std::string& option) const {
-    if (chosen_.all.size() == 1 && recording_.word == "column")
+    if (hint.empty() && chosen_.all.size() == 1 && recording_.word == "column")
       hint = "separate the columns by comma, semicolon or tab, or give --rate HZ for evenly spaced samples";
     if (hint.empty()) hint = "rename the " + recording_.word + " that holds it, or pick it with " + option;
     fail("no " + what + " " + recording_.word + " among " + list_of(chosen_.all) + "; expected " + expected +
@@ -133,14 +137,18 @@ class ColumnChoice {
 
   // ---- units ----
 
-  // The unit an option gives is put over that of the file; where they differ it is told.
-  void apply_unit(Index i, const std::string& given, const std::string& option) {
+  static void require_unit(const std::string& option, const std::string& given, bool of_time) {
     if (given.empty()) return;
     const auto unit = unit_of(given);
-    const bool is_time = option == "--time-unit";
-    if (!unit || (unit->quantity == Quantity::time) != is_time)
+    if (!unit || (unit->quantity == Quantity::time) != of_time)
       throw InputError(option + " " + given + ": expected a unit such as " +
-                       (is_time ? "s, ms or min" : "ml, L, L/s, L/min or ml/s"));
+                       (of_time ? "s, ms or min" : "ml, L, L/s, L/min or ml/s"));
+  }
+
+  // The unit an option gives is put over that of the file; where they differ it is told.
+  void apply_unit(Index i, const std::string& given, const std::string& option) {
+    const auto unit = unit_of(given);
+    if (!unit) return;
     ColumnName& column = chosen_.all[i];
     if (column.quantity != Quantity::unknown && column.unit != unit->name)
       chosen_.notes.push_back(said(i) + " is read in " + given + ", as " + option + " says, not in " +

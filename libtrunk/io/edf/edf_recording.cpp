@@ -20,7 +20,6 @@ std::string without_padding(const char* field) {
                        "an EDF+ recording with interruptions; expected a continuous one; export one "
                        "uninterrupted part of it");
     case EDFLIB_NO_SUCH_FILE_OR_DIRECTORY:
-    case EDFLIB_FILE_READ_ERROR:
       throw InputError(source, 0,
                        "cannot be read; expected a readable EDF or BDF file; check its permissions");
     default:

@@ -4,6 +4,7 @@
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <map>
 
 #include "matlab/mat_variables.hpp"
 
@@ -50,7 +51,7 @@ class MatlabRecording : public Recording {
     const double rate = rate_hz();
     for (const MatVariable& v : content_.variables) add_channels(v);
     for (Channel& channel : channels) channel.rate_hz = rate;
-    drop_common_prefix();
+    shorten_names();
     if (channels.empty()) refuse_empty();
   }
 
@@ -149,14 +150,13 @@ class MatlabRecording : public Recording {
     places_.push_back(place);
   }
 
-  /// "rec.flow" and "rec.time" => "flow" and "time".
-  void drop_common_prefix() {
-    if (channels.empty()) return;
-    const std::string& first = channels.front().name;
-    const std::string prefix = first.substr(0, first.find_last_of('.') + 1);
-    const auto has_prefix = [&](const Channel& c) { return c.name.starts_with(prefix); };
-    if (std::all_of(channels.begin(), channels.end(), has_prefix))
-      for (Channel& channel : channels) channel.name.erase(0, prefix.size());
+  /// "rec.flow" => "flow", where there is no other.
+  void shorten_names() {
+    std::map<std::string, int> count;
+    const auto last_part = [](const std::string& name) { return name.substr(name.find_last_of('.') + 1); };
+    for (const Channel& channel : channels) ++count[last_part(channel.name)];
+    for (Channel& channel : channels)
+      if (count[last_part(channel.name)] == 1) channel.name = last_part(channel.name);
   }
 
   MatContent content_;
