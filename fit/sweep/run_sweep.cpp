@@ -9,7 +9,7 @@
 #include "recording/run_record.hpp"
 #include "results/run_file.hpp"
 #include "sweep/table.hpp"
-#include "sweep/workers.hpp"
+#include "parallel/workers.hpp"
 
 namespace trunk {
 namespace {

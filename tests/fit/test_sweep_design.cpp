@@ -5,7 +5,7 @@
 #include "errors/input_error.hpp"
 #include "support/temporary_folder.hpp"
 #include "sweep/design.hpp"
-#include "sweep/workers.hpp"
+#include "parallel/workers.hpp"
 
 using namespace trunk;
 using Catch::Matchers::Contains;
