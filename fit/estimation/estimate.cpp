@@ -12,7 +12,7 @@
 namespace trunk {
 namespace {
 
-constexpr double coarse = 1e-3;      // where a first search may stop: another one follows
+constexpr double coarse = 1e-3;        // where a first search may stop: another one follows
 constexpr double close_enough = 1e-4;  // in coordinates, between two methods
 constexpr std::size_t most_without_derivatives = 4;
 
@@ -28,18 +28,23 @@ Indices first_ones(std::size_t count) {
 Indices mechanical(const SearchSpace& space) {
   Indices indices;
   for (std::size_t i = 0; i < space.asked_for(); ++i)
-    if (space.parameter(i).group == FreeParameter::Group::mechanics) indices.push_back(static_cast<Eigen::Index>(i));
+    if (space.parameter(i).group == FreeParameter::Group::mechanics)
+      indices.push_back(static_cast<Eigen::Index>(i));
   return indices;
 }
 
 class Fitting {
  public:
   Fitting(Objective& objective, const EstimationOptions& options, Estimation& result)
-      : objective_(objective), space_(objective.space()), options_(options), result_(result),
+      : objective_(objective),
+        space_(objective.space()),
+        options_(options),
+        result_(result),
         problem_(objective.problem()) {
     if (options.search.algorithm.empty())
       result.algorithm = space_.asked_for() > most_without_derivatives || objective.target().is_tidal_volume()
-                             ? "lm" : "bobyqa";
+                             ? "lm"
+                             : "bobyqa";
     else
       result.algorithm = options.search.algorithm;
   }
@@ -74,11 +79,13 @@ class Fitting {
   void search_from_starts() {
     SearchOptions options = options_.search;
     options.algorithm = result_.algorithm;
-    if (!objective_.target().is_tidal_volume()) options.coordinate_tolerance = std::max(coarse, options.coordinate_tolerance);
+    if (!objective_.target().is_tidal_volume())
+      options.coordinate_tolerance = std::max(coarse, options.coordinate_tolerance);
     const Indices asked_for = first_ones(space_.asked_for());
     std::vector<Eigen::VectorXd> starts = {space_.start()};
     const LeastSquares part = with_fixed(problem_, starts[0], asked_for);
-    for (const Eigen::VectorXd& x : sobol_starts(part, static_cast<std::size_t>(options_.starts - 1), options.seed)) {
+    for (const Eigen::VectorXd& x :
+         sobol_starts(part, static_cast<std::size_t>(options_.starts - 1), options.seed)) {
       starts.push_back(starts[0]);
       starts.back()(asked_for) = x;
     }
@@ -94,9 +101,7 @@ class Fitting {
   void finish() {
     const Eigen::VectorXd coarse_best = result_.search.best;
     if (result_.algorithm != "lm" || space_.size() > space_.asked_for() || options_.loss != Loss::squares) {
-      SearchOptions lm = options_.search;
-      lm.max_evaluations *= 1 + static_cast<int>(space_.size()) / 2;
-      adopt(levenberg_marquardt(problem_, coarse_best, lm));
+      adopt(levenberg_marquardt(problem_, coarse_best, finisher()));
     }
     const Indices some = mechanical(space_);
     if (some.empty() || objective_.target().is_tidal_volume()) return;
@@ -109,9 +114,16 @@ class Fitting {
     result_.cross_check = {options.algorithm, "lm", apart, apart <= close_enough};
     if (check.objective < result_.search.objective * (1.0 - 1e-6)) {
       adopt(check);
-      SearchOptions lm = options_.search;
-      adopt(levenberg_marquardt(problem_, check.best, lm));
+      adopt(levenberg_marquardt(problem_, check.best, finisher()));
     }
+  }
+
+  SearchOptions finisher() const {
+    SearchOptions lm = options_.search;
+    lm.max_evaluations *= 1 + static_cast<int>(space_.size()) / 2;
+    lm.objective_tolerance =
+        std::max(lm.objective_tolerance, space_.size() > space_.asked_for() ? 1e-7 : 1e-10);
+    return lm;
   }
 
   void adopt(SearchResult found) {
@@ -133,7 +145,8 @@ class Fitting {
 double seconds_for(std::size_t simulations, const Estimation& e, const Execution& execution) {
   double wall = 0.0;
   for (const Evaluation& evaluation : e.evaluations) wall += evaluation.wall_s;
-  const unsigned threads = execution.threads > 0 ? execution.threads : std::max(1u, std::thread::hardware_concurrency());
+  const unsigned threads =
+      execution.threads > 0 ? execution.threads : std::max(1u, std::thread::hardware_concurrency());
   return wall / static_cast<double>(e.evaluations.size()) * static_cast<double>(simulations) / threads;
 }
 
@@ -150,14 +163,18 @@ void add_uncertainty(Objective& objective, const EstimationOptions& options, Est
   }
   e.uncertainty = assess(objective, *e.local);
   if (e.cross_check && !e.cross_check->agree) {
-    const double smallest = e.local->covariance.diagonal().head(static_cast<Eigen::Index>(space.asked_for())).cwiseSqrt().minCoeff();
+    const double smallest = e.local->covariance.diagonal()
+                                .head(static_cast<Eigen::Index>(space.asked_for()))
+                                .cwiseSqrt()
+                                .minCoeff();
     e.cross_check->agree = e.cross_check->largest_difference <= 0.1 * smallest;
   }
   e.evaluations = objective.evaluations();
   const auto affordable = [&](std::size_t simulations, const char* what, const char* option) {
     const double needed = seconds_for(simulations, e, options.execution);
     if (needed <= options.budget_s) return true;
-    e.notes.push_back(fmt::format("no {}: it would take about {:.0f} s ({} forces it)", what, needed, option));
+    e.notes.push_back(
+        fmt::format("no {}: it would take about {:.0f} s ({} forces it)", what, needed, option));
     return false;
   };
   const int points = 4;
@@ -166,7 +183,8 @@ void add_uncertainty(Objective& objective, const EstimationOptions& options, Est
   const auto grid = static_cast<std::size_t>(options.surface_points);
   if (grid > 0 && space.asked_for() == 2 && affordable(grid * grid, "likelihood surface", "--surface"))
     e.surface = likelihood_surface(objective, *e.local, options.surface_points);
-  if (options.bootstrap > 0) e.bootstrap = bootstrap(objective, *e.local, options.bootstrap, options.search.seed);
+  if (options.bootstrap > 0)
+    e.bootstrap = bootstrap(objective, *e.local, options.bootstrap, options.search.seed);
 }
 
 }  // namespace

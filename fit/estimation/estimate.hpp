@@ -16,7 +16,7 @@ struct EstimationOptions {
   int starts = 1;                         // the scenario's own, the others spread over the bounds (Sobol)
   Loss loss = Loss::squares;
   bool profiles = true;
-  int surface_points = 13;  // along each of two parameters; 0: no surface
+  int surface_points = 11;  // along each of two parameters; 0: no surface
   int bootstrap = 0;        // repeats
   double budget_s = 10.0;   // profiles and surface are left out where each would take longer
   Execution execution;
@@ -40,7 +40,7 @@ struct CrossCheck {
 /// The outcome of analysis by synthesis for one breath.
 struct Estimation {
   SearchResult search;
-  std::string algorithm;                   // of the first search
+  std::string algorithm;  // of the first search
   std::vector<Start> starts;
   std::optional<CrossCheck> cross_check;
   std::optional<Uncertainty> uncertainty;  // none where the search found nothing to stand on
@@ -48,7 +48,7 @@ struct Estimation {
   std::vector<Profile> profiles;
   std::optional<LikelihoodSurface> surface;
   std::optional<Bootstrap> bootstrap;
-  std::vector<std::string> notes;          // what was left out, and why
+  std::vector<std::string> notes;  // what was left out, and why
   Candidate best;
   Eigen::VectorXd model;  // at the target's samples, m3; empty where no simulation completed
   Quality quality;

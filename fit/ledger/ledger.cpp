@@ -26,8 +26,9 @@ struct Ledger::File {
     const std::string message = sqlite3_errmsg(database.get());
     if (code == SQLITE_NOTADB || code == SQLITE_ERROR || code == SQLITE_CORRUPT)
       throw InputError(path.string(), 0,
-                       "is not a ledger of this program (" + message + "), expected none or one of an interrupted fit: "
-                       "delete it or name another result");
+                       "is not a ledger of this program (" + message +
+                           "), expected none or one of an interrupted fit: "
+                           "delete it or name another result");
     if (code == SQLITE_BUSY || code == SQLITE_LOCKED)
       throw InputError(path.string(), 0,
                        "is in use: another fit is writing this result, expected one at a time");
@@ -81,10 +82,11 @@ Ledger::Ledger(const std::filesystem::path& path, const std::string& problem)
   file_->database.reset(database);
   if (opened != SQLITE_OK) file_->fail();
   // The process may be killed at any time and the entry stays; the machine may not.
-  file_->execute("PRAGMA synchronous = OFF; PRAGMA locking_mode = EXCLUSIVE; BEGIN IMMEDIATE;"
-                 "CREATE TABLE IF NOT EXISTS problem (text TEXT);"
-                 "CREATE TABLE IF NOT EXISTS entry (key BLOB PRIMARY KEY, status INTEGER, lasted_s REAL, "
-                 "wall_s REAL, numbers BLOB);");
+  file_->execute(
+      "PRAGMA synchronous = OFF; PRAGMA locking_mode = EXCLUSIVE; BEGIN IMMEDIATE;"
+      "CREATE TABLE IF NOT EXISTS problem (text TEXT);"
+      "CREATE TABLE IF NOT EXISTS entry (key BLOB PRIMARY KEY, status INTEGER, lasted_s REAL, "
+      "wall_s REAL, numbers BLOB);");
   const File::Statement known = file_->prepared("SELECT text FROM problem");
   const bool same = file_->step(known) && blob(known.get(), 0) == problem;
   sqlite3_reset(known.get());

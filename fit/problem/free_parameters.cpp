@@ -15,18 +15,23 @@ constexpr double timing_prior = 0.5, onset_prior_s = 0.1, shape_prior = 1.0;
 
 template <std::size_t Knot>
 FreeParameter knot(std::string_view name, std::string_view key) {
-  return {name,         "1",
-          key,          0.02,
-          20.0,         Group::shape,
+  return {name,
+          "1",
+          key,
+          0.02,
+          20.0,
+          Group::shape,
           [](Candidate& c) -> double& { return c.activation.shape[Knot]; },
-          Scale::factor, shape_prior};
+          Scale::factor,
+          shape_prior};
 }
 
 }  // namespace
 
 std::span<const FreeParameter> free_parameters() {
   static const FreeParameter all[] = {
-      // Abdominal pressure swings in quiet breathing grow with k_elasticity, about 1 to 40 cmH2O between these.
+      // Abdominal pressure swings in quiet breathing grow with k_elasticity, about 1 to 40 cmH2O between
+      // these.
       {"k_elasticity", "N/m", "parameters.k_elasticity_N_per_m", 400.0, 16000.0, Group::mechanics,
        [](Candidate& c) -> double& { return c.parameters.elasticity; }},
       {"k_muscle", "N/m", "parameters.k_muscle_N_per_m", 0.01, 1e4, Group::mechanics,
@@ -76,7 +81,8 @@ std::vector<std::string> parameter_names(const std::vector<std::string>& given) 
     const bool timing = name == "timing", shape = name == "shape";
     if (!timing && !shape) names.emplace_back(free_parameter(name).name);
     for (const FreeParameter& p : free_parameters())
-      if ((timing && p.group == Group::timing) || (shape && p.group == Group::shape)) names.emplace_back(p.name);
+      if ((timing && p.group == Group::timing) || (shape && p.group == Group::shape))
+        names.emplace_back(p.name);
   }
   return names;
 }

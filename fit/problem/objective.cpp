@@ -61,7 +61,8 @@ bool Objective::usable(const LedgerEntry* entry) const {
   const auto completed = static_cast<std::int32_t>(Summary::Status::completed);
   if (entry->status != completed)
     return entry->values.empty() && entry->status > completed &&
-           entry->status <= static_cast<std::int32_t>(Summary::Status::volume_lost) && finite(entry->lasted_s);
+           entry->status <= static_cast<std::int32_t>(Summary::Status::volume_lost) &&
+           finite(entry->lasted_s);
   return entry->values.size() == static_cast<std::size_t>(samples()) &&
          std::all_of(entry->values.begin(), entry->values.end(), [](double v) { return finite(v); });
 }
@@ -70,8 +71,9 @@ void Objective::simulate_missing(const std::vector<Candidate>& candidates,
                                  const std::vector<std::string>& keys) {
   std::vector<std::size_t> missing;
   for (std::size_t i = 0; i < candidates.size(); ++i)
-    if (!usable(ledger_.find(keys[i])) && std::find(keys.begin(), keys.begin() + static_cast<std::ptrdiff_t>(i),
-                                                    keys[i]) == keys.begin() + static_cast<std::ptrdiff_t>(i))
+    if (!usable(ledger_.find(keys[i])) &&
+        std::find(keys.begin(), keys.begin() + static_cast<std::ptrdiff_t>(i), keys[i]) ==
+            keys.begin() + static_cast<std::ptrdiff_t>(i))
       missing.push_back(i);
   const auto cancelled = [&] { return execution_.cancelled && execution_.cancelled(); };
   if (cancelled()) throw Cancelled();

@@ -84,7 +84,8 @@ SearchSpace::SearchSpace(const std::vector<std::string>& names, const Candidate&
   }
   for (const Prior& given : priors)
     if (!find(free_parameter(given.name).name))
-      throw InputError(fmt::format("--prior {}: it is not fitted, expected it among those of --free", given.name));
+      throw InputError(
+          fmt::format("--prior {}: it is not fitted, expected it among those of --free", given.name));
 }
 
 bool SearchSpace::is_ratio(std::size_t i) const {

@@ -17,24 +17,56 @@ LeastSquares with_fixed(const LeastSquares& problem, const Eigen::VectorXd& at,
   return {trials, problem.lower(free), problem.upper(free)};
 }
 
-std::optional<Eigen::MatrixXd> jacobian(const LeastSquares& problem, const Eigen::VectorXd& x, double step) {
-  std::vector<Eigen::VectorXd> points;
-  for (Eigen::Index i = 0; i < x.size(); ++i)
-    for (const double side : {1.0, -1.0}) {
-      points.push_back(x);
-      points.back()[i] = std::clamp(x[i] + side * step, problem.lower[i], problem.upper[i]);
-    }
-  const std::vector<Trial> trials = problem.trials(points);
+namespace {
+
+/// Differences between pairs of points that differ in one coordinate.
+std::optional<Eigen::MatrixXd> slopes(const std::vector<Eigen::VectorXd>& ahead,
+                                      const std::vector<Trial>& trials_ahead,
+                                      const std::vector<Eigen::VectorXd>& behind,
+                                      const std::vector<Trial>& trials_behind) {
   Eigen::MatrixXd result;
-  for (Eigen::Index i = 0; i < x.size(); ++i) {
-    const auto k = static_cast<std::size_t>(2 * i);
-    const Trial &ahead = trials[k], &behind = trials[k + 1];
-    if (!ahead.residuals || !behind.residuals) return std::nullopt;
-    if (i == 0) result.resize(ahead.residuals->size(), x.size());
-    const double width = points[k][i] - points[k + 1][i];
-    result.col(i) = (*ahead.residuals - *behind.residuals) / width;
+  for (std::size_t k = 0; k < ahead.size(); ++k) {
+    const auto &a = trials_ahead[k].residuals, &b = trials_behind[k].residuals;
+    if (!a || !b) return std::nullopt;
+    const auto i = static_cast<Eigen::Index>(k);
+    if (k == 0) result.resize(a->size(), static_cast<Eigen::Index>(ahead.size()));
+    result.col(i) = (*a - *b) / (ahead[k][i] - behind[k][i]);
   }
   return result;
+}
+
+/// x moved by `step` in one coordinate after the other, kept inside.
+std::vector<Eigen::VectorXd> moved(const LeastSquares& problem, const Eigen::VectorXd& x, double step) {
+  std::vector<Eigen::VectorXd> points;
+  for (Eigen::Index i = 0; i < x.size(); ++i) {
+    points.push_back(x);
+    points.back()[i] = std::clamp(x[i] + step, problem.lower[i], problem.upper[i]);
+  }
+  return points;
+}
+
+}  // namespace
+
+std::optional<Eigen::MatrixXd> jacobian(const LeastSquares& problem, const Eigen::VectorXd& x, double step) {
+  const std::vector<Eigen::VectorXd> ahead = moved(problem, x, step), behind = moved(problem, x, -step);
+  std::vector<Eigen::VectorXd> all = ahead;
+  all.insert(all.end(), behind.begin(), behind.end());
+  const std::vector<Trial> trials = problem.trials(all);
+  const auto middle = trials.begin() + static_cast<std::ptrdiff_t>(ahead.size());
+  return slopes(ahead, {trials.begin(), middle}, behind, {middle, trials.end()});
+}
+
+std::optional<Eigen::MatrixXd> forward_jacobian(const LeastSquares& problem, const Eigen::VectorXd& x) {
+  const double step = 1e-5;
+  std::vector<Eigen::VectorXd> ahead = moved(problem, x, step);
+  for (Eigen::Index i = 0; i < x.size(); ++i)
+    if (x[i] + step > problem.upper[i]) ahead[static_cast<std::size_t>(i)][i] = x[i] - step;
+  std::vector<Eigen::VectorXd> all = ahead;
+  all.push_back(x);
+  const std::vector<Trial> trials = problem.trials(all);
+  const std::vector<Eigen::VectorXd> behind(ahead.size(), x);
+  return slopes(ahead, {trials.begin(), trials.end() - 1}, behind,
+                std::vector<Trial>(ahead.size(), trials.back()));
 }
 
 }  // namespace trunk

@@ -33,6 +33,10 @@ LeastSquares with_fixed(const LeastSquares& problem, const Eigen::VectorXd& at,
 std::optional<Eigen::MatrixXd> jacobian(const LeastSquares& problem, const Eigen::VectorXd& x,
                                         double step = 1e-3);
 
+/// Forward differences, backward at an upper bound: half the cost, for the steps of a search. The step of
+/// 1e-5 leaves an error of 1e-5 of the curvature and is far above the round-off of a simulation.
+std::optional<Eigen::MatrixXd> forward_jacobian(const LeastSquares& problem, const Eigen::VectorXd& x);
+
 /// A search was told to stop; thrown through it by a problem whose user gave up.
 struct Cancelled {};
 

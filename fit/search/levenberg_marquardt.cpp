@@ -17,7 +17,8 @@ using Workspace = std::unique_ptr<gsl_multifit_nlinear_workspace, decltype(&gsl_
 
 Eigen::VectorXd copied(const gsl_vector* v) {
   return Eigen::Map<const Eigen::VectorXd, 0, Eigen::InnerStride<>>(
-      v->data, static_cast<Eigen::Index>(v->size), Eigen::InnerStride<>(static_cast<Eigen::Index>(v->stride)));
+      v->data, static_cast<Eigen::Index>(v->size),
+      Eigen::InnerStride<>(static_cast<Eigen::Index>(v->stride)));
 }
 
 /// What crosses the C interface, and the change of coordinates that keeps bounds GSL knows nothing of.
@@ -74,11 +75,10 @@ int residuals(const gsl_vector* u, void* data, gsl_vector* f) noexcept {
 int slopes(const gsl_vector* u, void* data, gsl_matrix* j) noexcept {
   return guarded(data, [&](Fit& fit) {
     const Eigen::VectorXd angles = copied(u);
-    const auto by_x = jacobian(fit.problem, fit.inside(u));
-    fit.evaluations += 2 * static_cast<int>(angles.size());
+    const auto by_x = forward_jacobian(fit.problem, fit.inside(u));
+    fit.evaluations += static_cast<int>(angles.size());
     if (!by_x) return static_cast<int>(GSL_EBADFUNC);
-    const Eigen::MatrixXd by_u =
-        *by_x * fit.half.cwiseProduct(angles.array().cos().matrix()).asDiagonal();
+    const Eigen::MatrixXd by_u = *by_x * fit.half.cwiseProduct(angles.array().cos().matrix()).asDiagonal();
     for (Eigen::Index r = 0; r < by_u.rows(); ++r)
       for (Eigen::Index c = 0; c < by_u.cols(); ++c)
         gsl_matrix_set(j, static_cast<std::size_t>(r), static_cast<std::size_t>(c), by_u(r, c));
@@ -108,14 +108,14 @@ Ending iterate(gsl_multifit_nlinear_workspace* work, const Fit& fit, const Searc
     if (status == GSL_ENOPROG) return {true, "no step in any direction lowers the sum of squares"};
     if (status != GSL_SUCCESS) return {false, fmt::format("GSL stopped: {}", gsl_strerror(status))};
     int info = 0;
-    const int done =
-        gsl_multifit_nlinear_test(step_tolerance, slope_tolerance, 0.0, &info, work);
+    const int done = gsl_multifit_nlinear_test(step_tolerance, slope_tolerance, 0.0, &info, work);
     if (done == GSL_SUCCESS)
       return {true, info == 1 ? fmt::format("the step is at most {:g} of the coordinates", step_tolerance)
                               : fmt::format("the gradient is at most {:g}", slope_tolerance)};
     const double after = gsl_blas_dnrm2(gsl_multifit_nlinear_residual(work));
     if (before - after <= 0.5 * options.objective_tolerance * after)
-      return {true, fmt::format("the objective changes by at most {:g} of itself", options.objective_tolerance)};
+      return {true,
+              fmt::format("the objective changes by at most {:g} of itself", options.objective_tolerance)};
   }
   return {false, fmt::format("{} evaluations were not enough", options.max_evaluations)};
 }
@@ -130,7 +130,8 @@ SearchResult levenberg_marquardt(const LeastSquares& problem, const Eigen::Vecto
   const Trial first = fit.at(fit.best);
   if (!first.residuals) return {false, fit.best, first.objective, "the model fails at the start", 1};
   fit.rows = first.residuals->size();
-  if (fit.rows < start.size()) return {false, fit.best, first.objective, "fewer residuals than parameters", 1};
+  if (fit.rows < start.size())
+    return {false, fit.best, first.objective, "fewer residuals than parameters", 1};
 
   const auto n = static_cast<std::size_t>(fit.rows), p = static_cast<std::size_t>(start.size());
   const gsl_multifit_nlinear_parameters how = gsl_multifit_nlinear_default_parameters();

@@ -23,10 +23,14 @@ struct Algorithm {
 };
 
 constexpr Algorithm algorithms[] = {
-    {"bobyqa", NLOPT_LN_BOBYQA}, {"sbplx", NLOPT_LN_SBPLX},
-    {"cobyla", NLOPT_LN_COBYLA}, {"neldermead", NLOPT_LN_NELDERMEAD},
-    {"lbfgs", NLOPT_LD_LBFGS},   {"slsqp", NLOPT_LD_SLSQP},
-    {"mma", NLOPT_LD_MMA},       {"mlsl", NLOPT_G_MLSL_LDS, true},
+    {"bobyqa", NLOPT_LN_BOBYQA},
+    {"sbplx", NLOPT_LN_SBPLX},
+    {"cobyla", NLOPT_LN_COBYLA},
+    {"neldermead", NLOPT_LN_NELDERMEAD},
+    {"lbfgs", NLOPT_LD_LBFGS},
+    {"slsqp", NLOPT_LD_SLSQP},
+    {"mma", NLOPT_LD_MMA},
+    {"mlsl", NLOPT_G_MLSL_LDS, true},
     {"direct", NLOPT_GN_DIRECT_L, true},
 };
 
@@ -58,8 +62,8 @@ struct Call {
 
   void write_gradient(const Eigen::VectorXd& x, const Trial& trial, double* gradient) {
     auto out = Eigen::VectorXd::Map(gradient, x.size());
-    const auto j = trial.residuals ? jacobian(problem, x) : std::nullopt;
-    evaluations += 2 * static_cast<int>(x.size());
+    const auto j = trial.residuals ? forward_jacobian(problem, x) : std::nullopt;
+    evaluations += static_cast<int>(x.size());
     if (!j) throw std::runtime_error("the model fails beside a point a gradient is needed at: try bobyqa");
     out = 2.0 * j->transpose() * *trial.residuals;
   }

@@ -24,7 +24,7 @@ struct SearchResult {
   int evaluations = 0;
 };
 
-/// "bobyqa, sbplx, ...": derivative-free, with a gradient by central differences, global, and GSL's.
+/// "bobyqa, sbplx, ...": derivative-free, with a gradient by differences, global, and GSL's.
 std::string algorithm_names();
 
 /// Searches from `start` with the algorithm of that name: NLopt's, or `lm` (see levenberg_marquardt). The
@@ -34,8 +34,8 @@ std::string algorithm_names();
 SearchResult minimise(const LeastSquares& problem, const Eigen::VectorXd& start,
                       const SearchOptions& options);
 
-/// GSL's Levenberg-Marquardt with geodesic acceleration left out, the Jacobian by central differences. Bounds
-/// are kept by x = middle + half width * sin(u).
+/// GSL's Levenberg-Marquardt, the Jacobian by forward differences. Bounds are kept by x = middle + half width
+/// * sin(u).
 SearchResult levenberg_marquardt(const LeastSquares& problem, const Eigen::VectorXd& start,
                                  const SearchOptions& options);
 

@@ -11,7 +11,7 @@ namespace trunk {
 std::vector<Eigen::VectorXd> sobol_starts(const LeastSquares& problem, std::size_t count, unsigned seed) {
   const auto n = static_cast<unsigned>(std::min<Eigen::Index>(problem.size(), 40));
   const std::unique_ptr<gsl_qrng, decltype(&gsl_qrng_free)> sequence(gsl_qrng_alloc(gsl_qrng_sobol, n),
-                                                                    &gsl_qrng_free);
+                                                                     &gsl_qrng_free);
   // A shift modulo 1 (Cranley and Patterson 1976) keeps the sequence even and makes it depend on the seed.
   std::mt19937_64 engine(seed);
   std::vector<double> shift(n), point(n);

@@ -12,7 +12,8 @@ namespace {
 constexpr double grid_reach = 4.0;  // standard errors
 
 std::vector<double> grid(double centre, double deviation, double lower, double upper, int points) {
-  const double low = std::max(centre - grid_reach * deviation, lower), high = std::min(centre + grid_reach * deviation, upper);
+  const double low = std::max(centre - grid_reach * deviation, lower),
+               high = std::min(centre + grid_reach * deviation, upper);
   std::vector<double> at;
   for (int i = 0; i < points; ++i) at.push_back(low + (high - low) * i / (points - 1));
   return at;
@@ -26,8 +27,8 @@ double edge(double inner, double outer, double d_inner, double d_outer, double t
 }
 
 /// Widens the span by what one line of the grid has inside.
-void widen(Interval& span, const std::vector<double>& at, const std::vector<double>& deviance, double threshold,
-           bool& closed) {
+void widen(Interval& span, const std::vector<double>& at, const std::vector<double>& deviance,
+           double threshold, bool& closed) {
   for (std::size_t k = 0; k < at.size(); ++k) {
     if (!(deviance[k] <= threshold)) continue;
     const bool first = k == 0, last = k + 1 == at.size();
@@ -89,7 +90,9 @@ LikelihoodSurface likelihood_surface(Objective& objective, const LocalFit& fit, 
   }
   for (int i = 0; i < 2; ++i) {
     const bool factor = space.parameter(static_cast<std::size_t>(i)).scale == FreeParameter::Scale::factor;
-    const auto natural = [&](double y) { return factor ? std::exp(y) : y * space.values_by_coordinates()(i, i); };
+    const auto natural = [&](double y) {
+      return factor ? std::exp(y) : y * space.values_by_coordinates()(i, i);
+    };
     for (const double y : at[i]) surface.axis[i].push_back(natural(y));
     surface.region95[i] = {natural(span[i].lower), natural(span[i].upper)};
   }

@@ -7,7 +7,7 @@
 namespace trunk {
 namespace {
 
-constexpr double farthest = 3.0;  // standard errors
+constexpr double farthest = 1.5;  // half widths of the 95 % interval
 
 /// Coordinates of the parameters themselves (logarithms or amounts): y = to_values x.
 struct Natural {
@@ -35,10 +35,10 @@ double natural_coordinate(FreeParameter::Scale scale, double value) {
   return scale == FreeParameter::Scale::factor ? std::log(value) : value;
 }
 
-/// Places from `best` down to and up to 3 deviations or the bounds, 2 points + 1 of them.
-std::vector<double> places(const FreeParameter& p, double best, double deviation, int points) {
-  const double below = std::min(farthest * deviation, best - natural_coordinate(p.scale, p.lower));
-  const double above = std::min(farthest * deviation, natural_coordinate(p.scale, p.upper) - best);
+/// Places around `best`, as far as 1.5 times `reach` on either side or to the bounds, 2 points + 1 of them.
+std::vector<double> places(const FreeParameter& p, double best, double reach, int points) {
+  const double below = std::min(farthest * reach, best - natural_coordinate(p.scale, p.lower));
+  const double above = std::min(farthest * reach, natural_coordinate(p.scale, p.upper) - best);
   std::vector<double> at;
   for (int k = -points; k <= points; ++k) at.push_back(best + (k < 0 ? below : above) * k / points);
   return at;
@@ -76,16 +76,17 @@ std::vector<Profile> profiles(Objective& objective, const LocalFit& fit, int poi
   const LeastSquares problem = objective.problem();
   const Natural natural_of(space);
   const Eigen::MatrixXd unit = natural_of.of(fit.unit_covariance), corrected = natural_of.of(fit.covariance);
-  const double lowest = problem.at(fit.x).objective;
+  const double lowest = problem.at(fit.x).objective, quantile = t_quantile(fit.noise.freedom);
   const Eigen::VectorXd best = natural_of.to_values * fit.x;
 
   std::vector<Profile> result;
   for (Eigen::Index i = 0; i < static_cast<Eigen::Index>(space.asked_for()); ++i) {
     const FreeParameter& p = space.parameter(static_cast<std::size_t>(i));
-    const std::vector<double> y = places(p, best[i], std::sqrt(corrected(i, i)), points);
+    const std::vector<double> y = places(p, best[i], quantile * std::sqrt(corrected(i, i)), points);
     std::vector<Eigen::VectorXd> starts;
     for (const double at : y) {
-      const Eigen::VectorXd moved = unit.col(i) * ((at - best[i]) / unit(i, i));  // the others follow, to first order
+      const Eigen::VectorXd moved =
+          unit.col(i) * ((at - best[i]) / unit(i, i));  // the others follow, to first order
       starts.push_back(fit.x + natural_of.to_coordinates * moved);
     }
     const std::vector<Refit> fits = refits(problem, fit, natural_of.others(i), starts);
@@ -95,7 +96,6 @@ std::vector<Profile> profiles(Objective& objective, const LocalFit& fit, int poi
       profile.deviance.push_back((fits[k].objective - lowest) * unit(i, i) / corrected(i, i));
       profile.at_bound.push_back(fits[k].at_bound);
     }
-    const double quantile = t_quantile(fit.noise.freedom);
     const auto centre = static_cast<std::size_t>(points);
     for (const int side : {-1, 1}) {
       const double at = crossing(y, profile.deviance, centre, side, quantile);

@@ -21,8 +21,8 @@ struct Profile {
 /// point, is among `moved`.
 double deviance_scale(const LocalFit& fit, const Eigen::MatrixXd& moved, const Eigen::VectorXd& direction);
 
-/// Profiles of the parameters asked for, at `points` places on either side of the best, up to 3 standard
-/// errors away or to the bounds.
+/// Profiles of the parameters asked for, at `points` places on either side of the best, up to 1.5
+/// times the half width of its 95 % interval away or to the bounds.
 std::vector<Profile> profiles(Objective& objective, const LocalFit& fit, int points = 4);
 
 }  // namespace trunk

@@ -33,11 +33,10 @@ void judge(const LeastSquares& problem, const std::vector<Eigen::VectorXd>& shif
 }  // namespace
 
 std::vector<Refit> refits(const LeastSquares& problem, const LocalFit& fit, const Eigen::MatrixXd& directions,
-                          const std::vector<Eigen::VectorXd>& starts, const std::vector<Eigen::VectorXd>& shift,
-                          int steps) {
+                          const std::vector<Eigen::VectorXd>& starts,
+                          const std::vector<Eigen::VectorXd>& shift, int steps) {
   const Eigen::MatrixXd rows = fit.rows * directions;
-  const Eigen::MatrixXd step_of =
-      -directions * rows.completeOrthogonalDecomposition().pseudoInverse();
+  const Eigen::MatrixXd step_of = -directions * rows.completeOrthogonalDecomposition().pseudoInverse();
   std::vector<Walker> all;
   for (const Eigen::VectorXd& start : starts) {
     const Eigen::VectorXd x = problem.inside(start);

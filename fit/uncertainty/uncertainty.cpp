@@ -32,7 +32,8 @@ struct Deviations {  // of the logarithm, or of the amount
 Estimate estimate(std::string name, std::string unit, Scale scale, double value, Deviations d,
                   const Noise& noise) {
   const Interval wide = interval(scale, value, d.corrected, t_quantile(noise.freedom));
-  Estimate e{std::move(name), std::move(unit), value, scale == Scale::factor ? value * d.corrected : d.corrected,
+  Estimate e{std::move(name), std::move(unit),
+             value,           scale == Scale::factor ? value * d.corrected : d.corrected,
              wide.lower,      wide.upper};
   e.naive95 = interval(scale, value, d.naive, t_quantile(noise.white_freedom));
   e.identifiable = scale == Scale::factor ? wide.upper < widest_identifiable * wide.lower
@@ -97,7 +98,7 @@ Uncertainty assess(const Objective& objective, const LocalFit& fit) {
   const Eigen::MatrixXd naive = to_values * fit.naive_covariance * to_values.transpose();
 
   Uncertainty u;
-  u.residual_autocorrelation = lag_one_autocorrelation(fit.residuals);
+  u.residual_autocorrelation = autocorrelation(fit.residuals, 1);
   u.noise_autocorrelation = fit.noise.rho;
   u.sigma_m3 = fit.noise.deviation * objective.deviation().mean();
   u.freedom = fit.noise.freedom;
@@ -118,10 +119,9 @@ Uncertainty assess(const Objective& objective, const LocalFit& fit) {
     e.at_bound = fit.x[row] < lower[row] + at_bound_margin || fit.x[row] > upper[row] - at_bound_margin;
     e.identifiable = e.identifiable && !e.at_bound;
     if (space.is_ratio(i))
-      u.ratio = estimate("k_muscle/k_elasticity", "1", Scale::factor,
-                         best.parameters.muscle / best.parameters.elasticity,
-                         {std::sqrt(fit.covariance(row, row)), std::sqrt(fit.naive_covariance(row, row))},
-                         fit.noise);
+      u.ratio = estimate(
+          "k_muscle/k_elasticity", "1", Scale::factor, best.parameters.muscle / best.parameters.elasticity,
+          {std::sqrt(fit.covariance(row, row)), std::sqrt(fit.naive_covariance(row, row))}, fit.noise);
     (i < space.asked_for() ? u.parameters : u.beside).push_back(std::move(e));
   }
   u.identifiable =
@@ -137,7 +137,8 @@ Uncertainty without_uncertainty(const Objective& objective, const Eigen::VectorX
   const double unknown = std::nan("");
   for (std::size_t i = 0; i < space.asked_for(); ++i) {
     const FreeParameter& p = space.parameter(i);
-    Estimate e{std::string(p.name), std::string(p.unit), value_of(p, best), unknown, unknown, unknown, false, true};
+    Estimate e{
+        std::string(p.name), std::string(p.unit), value_of(p, best), unknown, unknown, unknown, false, true};
     e.naive95 = {unknown, unknown};
     u.parameters.push_back(e);
   }

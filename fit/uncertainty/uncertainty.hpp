@@ -16,11 +16,11 @@ struct Interval {
 struct Estimate {
   std::string name, unit;
   double value = 0.0;
-  double stderr_ = 0.0;    // in the unit; of what is searched for by factors, value * that of its logarithm
+  double stderr_ = 0.0;  // in the unit; of what is searched for by factors, value * that of its logarithm
   double lower95 = 0.0, upper95 = 0.0;  // residuals correlated as AR(1)
   bool at_bound = false;
   bool identifiable = false;
-  Interval naive95{};      // as if every sample were independent
+  Interval naive95{};  // as if every sample were independent
 };
 
 /// A product of powers of the free parameters, and how well it is determined.
@@ -51,7 +51,7 @@ struct Uncertainty {
   Eigen::MatrixXd log_covariance;    // [asked for, asked for] of logarithms (amounts: of the values), AR(1)
   Eigen::MatrixXd correlation;       // of the same
   std::vector<Combination> combinations;  // best determined first; factors only
-  double condition_number = 0.0;     // of the Jacobian in the logarithms, what is estimated beside eliminated
+  double condition_number = 0.0;  // of the Jacobian in the logarithms, what is estimated beside eliminated
   double residual_autocorrelation = 0.0;  // lag 1
   double noise_autocorrelation = 0.0;     // of the noise that would leave such residuals
   double sigma_m3 = 0.0;                  // deviation of that noise

@@ -63,10 +63,12 @@ Sentences sorted(const Uncertainty& u, bool ratio_matters) {
       Sentences::add(s.open, text);
   }
   if (s.known_knots > 0)
-    Sentences::add(s.determined, fmt::format("{} of {} heights of the activation's shape", s.known_knots, s.knots));
+    Sentences::add(s.determined,
+                   fmt::format("{} of {} heights of the activation's shape", s.known_knots, s.knots));
   if (s.known_knots < s.knots)
-    Sentences::add(s.open, fmt::format("{} of {} heights of the activation's shape, which follow their neighbours",
-                                       s.knots - s.known_knots, s.knots));
+    Sentences::add(s.open,
+                   fmt::format("{} of {} heights of the activation's shape, which follow their neighbours",
+                               s.knots - s.known_knots, s.knots));
   return s;
 }
 
@@ -96,7 +98,8 @@ std::string verdict_of(const Uncertainty& u) {
     text = "Determined by this trace: " + s.determined + ". ";
   else if (!u.combinations.empty() && u.parameters.size() > 1 && u.combinations.front().relative_stderr < 0.5)
     text = fmt::format("Only a combination is determined: {} to {:.2g} %. ",
-                       product(u.combinations.front(), u.parameters), 100.0 * u.combinations.front().relative_stderr);
+                       product(u.combinations.front(), u.parameters),
+                       100.0 * u.combinations.front().relative_stderr);
   return text + "Not determined by this trace: " + s.open + "." + advice(u);
 }
 
