@@ -4,104 +4,215 @@
 #include <cmath>
 
 #include "breaths/robust.hpp"
+#include "breaths/turn_fit.hpp"
 
 namespace trunk {
 namespace {
 
-constexpr double onset_low = 0.02, onset_low_in_noise = 0.1;  // of a height
-constexpr double plateau_depth = 0.01;                        // of the maximum
-constexpr double noise_allowed = 0.005;                       // of a height
+constexpr double around_turn = 0.1, around_in_noise = 0.35;  // of a height: what is fitted
+constexpr double noise_share = 8;        // so many deviations of the bins are added
+constexpr double around_pause = 0.3;     // of a height
+constexpr double seen = 0.5;             // of what is fitted: below, the side of a turn is not in the record
+constexpr int more_bins = 3;  // on either side
+constexpr double clearly = 0.05, least_misfit = 1e-8;
+constexpr double longest_side = 3;       // breaths
+constexpr double bins_per_breath = 200;  // fits are made to means over bins
+constexpr std::size_t many_turns = 40;   // enough to tell the shape
+constexpr double least_phase = 0.01;     // of a breath
 
 using Samples = std::span<const double>;
+using Indices = std::vector<std::size_t>;
 
-// Averaged as far as the noise asks for, at most over a fiftieth of a breath: landmarks must not move.
-std::size_t width_for_landmarks(Samples volume, const WholeBreaths& breaths) {
-  const std::size_t samples = breaths.trough.back() - breaths.trough.front();
-  return averaging_width(noise_deviation(volume), noise_allowed * breaths.height,
-                         samples / breaths.peak.size() / 50);
-}
-
-std::vector<double> above(Samples time, Samples volume, const KnotLine& rest, double drift) {
-  std::vector<double> height(volume.size());
-  for (std::size_t i = 0; i < volume.size(); ++i) height[i] = volume[i] - rest(time[i], drift);
-  return height;
-}
-
-// The last time before sample `until` at which the signal was at `level`, not before sample `from`.
-double last_crossing(Samples time, Samples signal, std::size_t from, std::size_t until, double level) {
-  std::size_t i = until;
-  while (i > from && signal[i] > level) --i;
-  if (i == until || signal[i] > level) return time[i];
-  return time[i] + (time[i + 1] - time[i]) * (level - signal[i]) / (signal[i + 1] - signal[i]);
-}
-
-double onset(Samples time, Samples signal, std::size_t trough, std::size_t until, double low_level) {
-  if (signal[until] <= 4 * low_level) return time[trough];  // lost in the noise, or the end of the record
-  const double high = last_crossing(time, signal, trough, until, 4 * low_level);
-  const double low = last_crossing(time, signal, trough, until, low_level);
-  return std::clamp(2 * low - high, time[trough], std::max(low, time[trough]));
-}
-
-// After the last whole breath: as far as the record shows of the next inspiration.
-std::size_t highest_from(Samples signal, std::size_t from) {
-  const auto top = std::max_element(signal.begin() + static_cast<std::ptrdiff_t>(from), signal.end());
-  return static_cast<std::size_t>(top - signal.begin());
-}
-
-struct Peak {
-  double time, height;
+/// The record in bins, and the bins of its turning points.
+struct Bins {
+  std::vector<double> time, volume;
+  std::vector<double> smooth;  // volume, as far as noise asks for it: only to see how high it is
+  Indices trough, peak;
+  double period = 0;
+  double around = 0;  // part of a height that is fitted
 };
 
-Peak peak_between(Samples time, Samples signal, std::size_t from, std::size_t until, double noise) {
-  const auto sample = [&](std::size_t i) { return signal.begin() + static_cast<std::ptrdiff_t>(i); };
-  const auto top = std::max_element(sample(from), sample(until) + 1);
-  const double level = *top - std::max(plateau_depth * *top, 2 * noise);
-  std::size_t first = static_cast<std::size_t>(top - signal.begin()), last = first;
-  while (first > from && signal[first - 1] >= level) --first;
-  while (last < until && signal[last + 1] >= level) ++last;
-  return {0.5 * (time[first] + time[last]), *top};
+std::size_t bin_at(const std::vector<double>& begins, double time) {
+  return static_cast<std::size_t>(std::upper_bound(begins.begin(), begins.end(), time) - begins.begin()) - 1;
 }
 
-KnotLine through(Samples time, Samples volume, std::vector<double> knots) {
-  KnotLine line{std::move(knots), {}};
-  for (const double t : line.time) line.value.push_back(interpolated(time, volume, t));
+Bins binned(Samples time, Samples volume, const WholeBreaths& breaths) {
+  const Indices &trough = breaths.trough, &peak = breaths.peak;
+  Bins bins;
+  bins.period = (time[trough.back()] - time[trough.front()]) / static_cast<double>(peak.size());
+  std::vector<double> begins;
+  for (std::size_t i = 0; i < time.size();) {
+    begins.push_back(time[i]);
+    const double end = time[i] + bins.period / bins_per_breath;
+    double t = 0, v = 0, count = 0;
+    do t += time[i], v += volume[i], ++count, ++i;
+    while (i < time.size() && time[i] < end);
+    bins.time.push_back(t / count);
+    bins.volume.push_back(v / count);
+  }
+  for (const std::size_t i : trough) bins.trough.push_back(bin_at(begins, time[i]));
+  for (const std::size_t i : peak) bins.peak.push_back(bin_at(begins, time[i]));
+  return bins;
+}
+
+// The samples around one turn; the volume rises away from it.
+struct Window {
+  Samples time, volume;
+  TurnSides sides;
+  double height;
+};
+
+// Where to look on either side of a turn: up to these bins and these heights above it.
+struct Reach {
+  std::size_t first, last;
+  double height_before, height_after;
+};
+
+Window around(const Bins& bins, std::size_t turn, const Reach& reach, double share) {
+  const auto height = [&](std::size_t i) { return bins.smooth[i] - bins.smooth[turn]; };
+  const auto inside = [&](std::size_t i, double full) {
+    return height(i) <= share * full &&
+           std::abs(bins.time[i] - bins.time[turn]) <= longest_side * bins.period;
+  };
+  const auto enough = [&](std::size_t i, double full) { return height(i) > around_in_noise * full; };
+  std::size_t from = turn, until = turn;
+  while (from > reach.first && inside(from - 1, reach.height_before)) --from;
+  while (until < reach.last && inside(until + 1, reach.height_after)) ++until;
+  for (int more = 0; more < more_bins && from > reach.first && !enough(from, reach.height_before); ++more) --from;
+  for (int more = 0; more < more_bins && until < reach.last && !enough(until, reach.height_after); ++more) ++until;
+  const auto part = [&](const std::vector<double>& all) {
+    return Samples(all).subspan(from, until - from + 1);
+  };
+  return {part(bins.time),
+          part(bins.volume),
+          {height(from) > seen * share * reach.height_before, height(until) > seen * share * reach.height_after},
+          std::max(reach.height_before, reach.height_after)};
+}
+
+std::vector<Window> around_rests(const Bins& bins, double share) {
+  std::vector<Window> windows;
+  const std::size_t n = bins.peak.size();
+  for (std::size_t i = 0; i <= n; ++i) {
+    const auto height = [&](std::size_t k) {
+      return bins.smooth[bins.peak[k]] - bins.smooth[bins.trough[i]];
+    };
+    windows.push_back(around(bins, bins.trough[i],
+                             {i > 0 ? bins.peak[i - 1] : 0, i < n ? bins.peak[i] : bins.time.size() - 1,
+                              height(i > 0 ? i - 1 : 0), height(i < n ? i : n - 1)}, share));
+  }
+  return windows;
+}
+
+// Of what comes before the inspiration, about as much as is fitted of it: not the whole tail of an expiration.
+void shorten_before(Window& w) {
+  if (!w.sides.after) return;
+  const double low = *std::min_element(w.volume.begin(), w.volume.end()), high = w.volume.back();
+  std::size_t third = w.time.size() - 1;
+  while (third > 0 && w.volume[third] > low + (high - low) / 3) --third;
+  const double from = w.time.back() - 4 * (w.time.back() - w.time[third]);
+  std::size_t first = 0;
+  while (first + 1 < third && w.time[first] < from) ++first;
+  if (first == 0) return;
+  w.time = w.time.subspan(first), w.volume = w.volume.subspan(first);
+}
+
+// Of the volume turned upside down.
+std::vector<Window> around_tops(const Bins& bins) {
+  std::vector<Window> windows;
+  for (std::size_t i = 0; i < bins.peak.size(); ++i) {
+    const auto depth = [&](std::size_t k) {
+      return bins.smooth[bins.trough[k]] - bins.smooth[bins.peak[i]];
+    };
+    windows.push_back(
+        around(bins, bins.peak[i], {bins.trough[i], bins.trough[i + 1], depth(i), depth(i + 1)}, bins.around));
+  }
+  return windows;
+}
+
+// Mean log misfit, which no single odd breath decides.
+double misfit_of(const std::vector<Window>& windows, TurnShape shape) {
+  const std::size_t stride = windows.size() / many_turns + 1;
+  double sum = 0, count = 0;
+  for (std::size_t i = 0; i < windows.size(); i += stride, ++count) {
+    const Window& w = windows[i];
+    const double misfit = fit_turn(w.time, w.volume, shape, w.sides).misfit;
+    sum += std::log(std::max(misfit / (w.height * w.height), least_misfit));
+  }
+  return sum / count;
+}
+
+// Flows that grow and fade evenly, unless others fit clearly better.
+TurnShape shape_of(const std::vector<Window>& windows) {
+  TurnShape best{2, 2};
+  double least = misfit_of(windows, best) - clearly;
+  for (const double before : turn_powers)
+    for (const double after : turn_powers)
+      if (const double misfit = misfit_of(windows, {before, after}); misfit < least)
+        least = misfit, best = {before, after};
+  return best;
+}
+
+std::vector<Turn> turns_in(const std::vector<Window>& windows) {
+  const TurnShape shape = shape_of(windows);
+  std::vector<Turn> turns;
+  for (const Window& w : windows) turns.push_back(fit_turn(w.time, w.volume, shape, w.sides));
+  return turns;
+}
+
+// The record in bins above a base line.
+Bins above(Bins bins, const KnotLine& rest, const WholeBreaths& breaths) {
+  for (std::size_t i = 0; i < bins.time.size(); ++i) bins.volume[i] -= rest(bins.time[i], breaths.drift);
+  const double noise = noise_deviation(bins.volume);
+  bins.smooth = moving_average(bins.volume, averaging_width(noise, 0.01 * breaths.height, 5));
+  bins.around = std::min(around_turn + noise_share * noise / breaths.height, around_in_noise);
+  return bins;
+}
+
+KnotLine through(Samples time, Samples volume, const Indices& troughs) {
+  KnotLine line;
+  for (const std::size_t i : troughs) {
+    line.time.push_back(time[i]);
+    line.value.push_back(volume[i]);
+  }
   return line;
 }
 
-std::vector<double> times_of(Samples time, const std::vector<std::size_t>& samples) {
-  std::vector<double> times;
-  for (const std::size_t i : samples) times.push_back(time[i]);
-  return times;
+// Between the peaks on either side, so that both phases last.
+double between_peaks(Samples time, const WholeBreaths& breaths, std::size_t rest, double t) {
+  const double from = rest > 0 ? time[breaths.peak[rest - 1] + 1] : time.front();
+  const double until = rest < breaths.peak.size() ? time[breaths.peak[rest] - 1] : time.back();
+  return std::clamp(t, from, until);
 }
 
 }  // namespace
 
-Landmarks landmarks(Samples time_s, Samples volume_m3, const WholeBreaths& breaths) {
-  const std::size_t width = width_for_landmarks(volume_m3, breaths);
-  const auto volume = moving_average(volume_m3, width);
-  const double noise = noise_deviation(volume_m3) / std::sqrt(static_cast<double>(width));
-  const auto& trough = breaths.trough;
-
-  const double low_level =
-      std::clamp(3 * noise, onset_low * breaths.height, onset_low_in_noise * breaths.height);
-
-  // Onsets need a level base line, and the base line needs onsets: once through the minima, then through the
-  // onsets.
-  auto rests = times_of(time_s, trough);
-  const auto rough = above(time_s, volume, through(time_s, volume, rests), breaths.drift);
-  for (std::size_t i = 0; i < trough.size(); ++i) {
-    const std::size_t until = i < breaths.peak.size() ? breaths.peak[i] : highest_from(rough, trough[i]);
-    rests[i] = onset(time_s, rough, trough[i], until, low_level);
+Landmarks landmarks(Samples time, Samples volume, const WholeBreaths& breaths) {
+  const Bins record = binned(time, volume, breaths);
+  // Turns need a level base line, and the base line needs turns: once through the minima, then through the
+  // rests.
+  Landmarks found{through(time, volume, breaths.trough), {}, {}, {}};
+  for (int round = 0; round < 2; ++round) {
+    const KnotLine line = std::move(found.rest);
+    found = {};
+    const Bins level = above(record, line, breaths);
+    auto windows = around_rests(level, level.around);
+    for (auto& w : windows) shorten_before(w);
+    for (const Turn& rest : turns_in(windows)) {
+      const double onset = between_peaks(time, breaths, found.rest.time.size(), rest.end_s);
+      found.rest.time.push_back(onset);
+      found.rest.value.push_back(rest.level + line(onset, breaths.drift));
+      found.rests_s.push_back(std::max(onset - rest.begin_s, 0.0));
+    }
   }
-
-  Landmarks found{through(time_s, volume, rests), {}, {}};
-  const auto level = above(time_s, volume, found.rest, breaths.drift);
-  for (std::size_t i = 0; i < breaths.peak.size(); ++i) {
-    // Strictly inside the breath, so that both phases last.
-    const auto from = std::upper_bound(time_s.begin(), time_s.end(), found.rest.time[i]) - time_s.begin();
-    const Peak peak = peak_between(time_s, level, static_cast<std::size_t>(from), trough[i + 1] - 1, noise);
-    found.peak_s.push_back(peak.time);
-    found.tidal_volume_m3.push_back(peak.height);
+  Bins depth = above(record, found.rest, breaths);
+  for (auto* values : {&depth.volume, &depth.smooth})
+    for (double& v : *values) v = -v;
+  for (const Turn& top : turns_in(around_tops(depth))) {
+    const std::size_t i = found.peak_s.size();
+    const double onset = found.rest.time[i], end = found.rest.time[i + 1];
+    const double least = least_phase * (end - onset);
+    found.peak_s.push_back(std::clamp(0.5 * (top.begin_s + top.end_s), onset + least, end - least));
+    found.tidal_volume.push_back(-top.level);
   }
   return found;
 }

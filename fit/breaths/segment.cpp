@@ -35,7 +35,7 @@ std::vector<Breath> breaths_at(const Landmarks& marks) {
   std::vector<Breath> breaths;
   for (std::size_t i = 0; i < marks.peak_s.size(); ++i)
     breaths.push_back(
-        {marks.rest.time[i], marks.peak_s[i], marks.rest.time[i + 1], marks.tidal_volume_m3[i], true, ""});
+        {marks.rest.time[i], marks.peak_s[i], marks.rest.time[i + 1], marks.tidal_volume[i], true, ""});
   return breaths;
 }
 

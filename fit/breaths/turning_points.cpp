@@ -8,13 +8,43 @@ namespace trunk {
 namespace {
 
 constexpr double threshold_of_rise = 0.3;
-constexpr double least_of_range = 0.1;
+constexpr double least_of_range = 0.001, least_of_noise = 10;
+constexpr double clearly = 0.1;  // of the record
 
 std::vector<double> rises(std::span<const double> signal, const std::vector<TurningPoint>& turns) {
   std::vector<double> found;
   for (std::size_t k = 1; k < turns.size(); ++k)
     if (turns[k].peak) found.push_back(signal[turns[k].index] - signal[turns[k - 1].index]);
   return found;
+}
+
+// A fixed point within a few rounds, as each round only adds or drops rises far from the median.
+std::vector<TurningPoint> settled(std::span<const double> signal, double threshold) {
+  auto turns = turning_points(signal, threshold);
+  for (int round = 0; round < 20; ++round) {
+    const double next = threshold_of_rise * median(rises(signal, turns));
+    if (next <= 0 || next == threshold) break;
+    threshold = next;
+    turns = turning_points(signal, threshold);
+  }
+  return turns;
+}
+
+// The part of the record in cycles, trough to trough, whose rise and length are within a factor of two of the
+// median.
+double regular_part(std::span<const double> signal, const std::vector<TurningPoint>& turns) {
+  std::vector<double> heights, lengths;
+  for (std::size_t k = turns.empty() || turns[0].peak ? 1 : 0; k + 2 < turns.size(); k += 2) {
+    heights.push_back(signal[turns[k + 1].index] - signal[turns[k].index]);
+    lengths.push_back(static_cast<double>(turns[k + 2].index - turns[k].index));
+  }
+  const auto usual = [](double value, double middle) { return value > 0.5 * middle && value < 2 * middle; };
+  const double height = median(heights), length = median(lengths);
+  double part = 0;
+  for (std::size_t i = 0; i < lengths.size(); ++i)
+    if (usual(heights[i], height) && usual(lengths[i], length))
+      part += lengths[i] / static_cast<double>(signal.size());
+  return part;
 }
 
 }  // namespace
@@ -43,21 +73,15 @@ std::vector<TurningPoint> turning_points(std::span<const double> signal, double 
 
 std::vector<TurningPoint> breath_turning_points(std::span<const double> volume) {
   const auto [low, high] = std::minmax_element(volume.begin(), volume.end());
-  const double range = *high - *low;
-  double threshold = threshold_of_rise * range;
-  auto turns = turning_points(volume, threshold);
-  while (rises(volume, turns).size() < 2 && threshold > least_of_range * range) {
-    threshold /= 2;
-    turns = turning_points(volume, threshold);
+  const double least = std::max(least_of_range * (*high - *low), least_of_noise * noise_deviation(volume));
+  std::vector<TurningPoint> best;
+  double regular = -1;
+  for (double first = threshold_of_rise * (*high - *low); first > least; first /= 2) {
+    auto turns = settled(volume, first);
+    const double found = regular_part(volume, turns);
+    if (found > regular + clearly) regular = found, best = std::move(turns);
   }
-  // A fixed point within a few rounds, as each round only adds or drops rises far from the median.
-  for (int round = 0; round < 20; ++round) {
-    const double next = threshold_of_rise * median(rises(volume, turns));
-    if (next <= 0 || next == threshold) break;
-    threshold = next;
-    turns = turning_points(volume, threshold);
-  }
-  return turns;
+  return best;
 }
 
 }  // namespace trunk

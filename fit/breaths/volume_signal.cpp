@@ -44,17 +44,38 @@ double step_nearby(std::span<const double> signal, std::size_t skip_first, std::
   return largest;
 }
 
-// A spike leaves and comes back at once. Our choice: a fifth of the central range, ten times the steps
-// nearby.
-std::size_t repair_spikes(std::vector<double>& signal) {
+// The length of a spike that begins at sample i, or 0. It leaves at once, stays on one side and comes back at
+// once, nearly to where it left. Our choice: a fifth of the central range, five times the steps nearby, back
+// within half its height.
+std::size_t spike_at(std::span<const double> signal, std::size_t i, std::size_t longest, double least) {
+  const double before = signal[i - 1], up = signal[i] - before;
+  if (std::abs(up) <= least) return 0;
+  const double side = up > 0 ? 1 : -1;
+  double lowest = std::abs(up);
+  for (std::size_t k = 1; k <= longest && i + k < signal.size(); ++k) {
+    const double back = side * (signal[i + k - 1] - signal[i + k]), left = side * (signal[i + k] - before);
+    if (back > least && std::abs(left) < 0.5 * lowest &&
+        std::min(std::abs(up), back) > 5 * step_nearby(signal, i, i + k))
+      return k;
+    lowest = std::min(lowest, left);
+    if (lowest <= least) return 0;
+  }
+  return 0;
+}
+
+// Spikes up to five samples and a tenth of a second, whichever is shorter; a single sample may last longer.
+std::size_t repair_spikes(std::span<const double> time, std::vector<double>& signal) {
   const double least = 0.2 * central_range(signal);
+  const double step = (time.back() - time.front()) / static_cast<double>(time.size() - 1);
+  const auto longest = static_cast<std::size_t>(std::clamp(0.1 / step, 1.0, 5.0));
   std::size_t repaired = 0;
   for (std::size_t i = 1; i + 1 < signal.size(); ++i) {
-    const double up = signal[i] - signal[i - 1], down = signal[i] - signal[i + 1];
-    const double height = std::min(std::abs(up), std::abs(down));
-    if (up * down <= 0 || height <= least) continue;
-    if (height <= 10 * step_nearby(signal, i, i + 1)) continue;
-    signal[i] = 0.5 * (signal[i - 1] + signal[i + 1]);
+    const std::size_t length = spike_at(signal, i, longest, least);
+    if (length == 0) continue;
+    const double before = signal[i - 1], after = signal[i + length];
+    for (std::size_t k = 0; k < length; ++k)
+      signal[i + k] = before + (after - before) * static_cast<double>(k + 1) / static_cast<double>(length + 1);
+    i += length - 1;
     ++repaired;
   }
   return repaired;
@@ -97,8 +118,8 @@ VolumeSignal volume_signal(const Trace& trace) {
   const auto note = [&](std::size_t count, const std::string& what) {
     if (count > 0) signal.notes.push_back(std::to_string(count) + " " + what);
   };
-  note(repair_spikes(signal.volume_m3),
-       "isolated spike(s) of one sample replaced by the mean of their neighbours");
+  note(repair_spikes(signal.time_s, signal.volume_m3),
+       "spike(s) replaced by a line between the samples beside them");
   if (trace.kind == SignalKind::flow)
     signal.volume_m3 = integrated(signal.time_s, signal.volume_m3);
   else
