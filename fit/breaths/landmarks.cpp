@@ -14,7 +14,7 @@ constexpr double noise_share = 8;        // so many deviations of the bins are a
 constexpr double around_pause = 0.3;     // of a height
 constexpr double seen = 0.5;             // of what is fitted: below, the side of a turn is not in the record
 constexpr int more_bins = 3;  // on either side
-constexpr double clearly = 0.05, least_misfit = 1e-8;
+constexpr double clearly = 0.1, least_misfit = 1e-8;
 constexpr double longest_side = 3;       // breaths
 constexpr double bins_per_breath = 200;  // fits are made to means over bins
 constexpr std::size_t many_turns = 40;   // enough to tell the shape
@@ -29,10 +29,11 @@ struct Bins {
   std::vector<double> smooth;  // volume, as far as noise asks for it: only to see how high it is
   Indices trough, peak;
   double period = 0;
+  double noise = 0;   // deviation of `smooth`
   double around = 0;  // part of a height that is fitted
 };
 
-std::size_t bin_at(const std::vector<double>& begins, double time) {
+std::size_t bin_at(Samples begins, double time) {
   return static_cast<std::size_t>(std::upper_bound(begins.begin(), begins.end(), time) - begins.begin()) - 1;
 }
 
@@ -57,7 +58,7 @@ Bins binned(Samples time, Samples volume, const WholeBreaths& breaths) {
 
 // The samples around one turn; the volume rises away from it.
 struct Window {
-  Samples time, volume;
+  Samples time, volume, smooth;
   TurnSides sides;
   double height;
 };
@@ -70,10 +71,7 @@ struct Reach {
 
 Window around(const Bins& bins, std::size_t turn, const Reach& reach, double share) {
   const auto height = [&](std::size_t i) { return bins.smooth[i] - bins.smooth[turn]; };
-  const auto inside = [&](std::size_t i, double full) {
-    return height(i) <= share * full &&
-           std::abs(bins.time[i] - bins.time[turn]) <= longest_side * bins.period;
-  };
+  const auto inside = [&](std::size_t i, double full) { return height(i) <= share * full; };
   const auto enough = [&](std::size_t i, double full) { return height(i) > around_in_noise * full; };
   std::size_t from = turn, until = turn;
   while (from > reach.first && inside(from - 1, reach.height_before)) --from;
@@ -85,6 +83,7 @@ Window around(const Bins& bins, std::size_t turn, const Reach& reach, double sha
   };
   return {part(bins.time),
           part(bins.volume),
+          part(bins.smooth),
           {height(from) > seen * share * reach.height_before, height(until) > seen * share * reach.height_after},
           std::max(reach.height_before, reach.height_after)};
 }
@@ -103,17 +102,20 @@ std::vector<Window> around_rests(const Bins& bins, double share) {
   return windows;
 }
 
+void keep(Window& w, std::size_t first, std::size_t count) {
+  w.time = w.time.subspan(first, count), w.volume = w.volume.subspan(first, count);
+}
+
 // Of what comes before the inspiration, about as much as is fitted of it: not the whole tail of an expiration.
-void shorten_before(Window& w) {
-  if (!w.sides.after) return;
+void shorten(Window& w, double longest_s) {
+  if (!w.sides.after) return keep(w, 0, bin_at(w.time, w.time.front() + longest_s) + 1);
   const double low = *std::min_element(w.volume.begin(), w.volume.end()), high = w.volume.back();
   std::size_t third = w.time.size() - 1;
   while (third > 0 && w.volume[third] > low + (high - low) / 3) --third;
-  const double from = w.time.back() - 4 * (w.time.back() - w.time[third]);
+  const double length = std::min(4 * (w.time.back() - w.time[third]), longest_s);
   std::size_t first = 0;
-  while (first + 1 < third && w.time[first] < from) ++first;
-  if (first == 0) return;
-  w.time = w.time.subspan(first), w.volume = w.volume.subspan(first);
+  while (first + 1 < third && w.time[first] < w.time.back() - length) ++first;
+  keep(w, first, w.time.size() - first);
 }
 
 // Of the volume turned upside down.
@@ -163,7 +165,9 @@ std::vector<Turn> turns_in(const std::vector<Window>& windows) {
 Bins above(Bins bins, const KnotLine& rest, const WholeBreaths& breaths) {
   for (std::size_t i = 0; i < bins.time.size(); ++i) bins.volume[i] -= rest(bins.time[i], breaths.drift);
   const double noise = noise_deviation(bins.volume);
-  bins.smooth = moving_average(bins.volume, averaging_width(noise, 0.01 * breaths.height, 5));
+  const std::size_t width = averaging_width(noise, 0.01 * breaths.height, 5);
+  bins.smooth = moving_average(bins.volume, width);
+  bins.noise = noise / std::sqrt(static_cast<double>(width));
   bins.around = std::min(around_turn + noise_share * noise / breaths.height, around_in_noise);
   return bins;
 }
@@ -188,15 +192,15 @@ double between_peaks(Samples time, const WholeBreaths& breaths, std::size_t rest
 
 Landmarks landmarks(Samples time, Samples volume, const WholeBreaths& breaths) {
   const Bins record = binned(time, volume, breaths);
-  // Turns need a level base line, and the base line needs turns: once through the minima, then through the
+  // Turns need a level base line, and the base line needs turns: first through the minima, then through the
   // rests.
   Landmarks found{through(time, volume, breaths.trough), {}, {}, {}};
-  for (int round = 0; round < 2; ++round) {
+  for (const bool closely : {false, true, true}) {
     const KnotLine line = std::move(found.rest);
     found = {};
     const Bins level = above(record, line, breaths);
-    auto windows = around_rests(level, level.around);
-    for (auto& w : windows) shorten_before(w);
+    auto windows = around_rests(level, closely ? level.around : around_in_noise);
+    for (auto& w : windows) shorten(w, longest_side * level.period);
     for (const Turn& rest : turns_in(windows)) {
       const double onset = between_peaks(time, breaths, found.rest.time.size(), rest.end_s);
       found.rest.time.push_back(onset);
@@ -207,12 +211,15 @@ Landmarks landmarks(Samples time, Samples volume, const WholeBreaths& breaths) {
   Bins depth = above(record, found.rest, breaths);
   for (auto* values : {&depth.volume, &depth.smooth})
     for (double& v : *values) v = -v;
-  for (const Turn& top : turns_in(around_tops(depth))) {
-    const std::size_t i = found.peak_s.size();
+  const auto windows = around_tops(depth);
+  const auto tops = turns_in(windows);
+  for (std::size_t i = 0; i < tops.size(); ++i) {
+    const Turn& top = tops[i];
     const double onset = found.rest.time[i], end = found.rest.time[i + 1];
     const double least = least_phase * (end - onset);
     found.peak_s.push_back(std::clamp(0.5 * (top.begin_s + top.end_s), onset + least, end - least));
-    found.tidal_volume.push_back(-top.level);
+    const double highest = -*std::min_element(windows[i].smooth.begin(), windows[i].smooth.end());
+    found.tidal_volume.push_back(std::max(-top.level, highest - 2 * depth.noise));
   }
   return found;
 }

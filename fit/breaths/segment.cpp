@@ -75,11 +75,25 @@ std::string odd_return(const Breath& breath, double difference_m3) {
          " where it began, over half of its tidal volume " + ml(breath.tidal_volume_m3);
 }
 
+// How far the rest moved over breath i, beyond what it does in the median or over the breath before or after:
+// a wander of the base line moves several alike, a shift one.
+double sudden_change(const Landmarks& marks, std::size_t i, double drift) {
+  const auto& [time, value] = marks.rest;
+  const auto slope = [&](std::size_t k) { return (value[k + 1] - value[k]) / (time[k + 1] - time[k]); };
+  double sudden = slope(i) - drift;
+  const auto compare = [&](double other) {
+    if (std::abs(slope(i) - other) < std::abs(sudden)) sudden = slope(i) - other;
+  };
+  if (i > 0) compare(slope(i - 1));
+  if (i + 2 < time.size()) compare(slope(i + 1));
+  return sudden * (time[i + 1] - time[i]);
+}
+
 void judge(std::vector<Breath>& breaths, const Landmarks& marks, double drift) {
   const double usual_volume = median_of(breaths, tidal_volume), usual_duration = median_of(breaths, duration);
   for (std::size_t i = 0; i < breaths.size(); ++i) {
     Breath& breath = breaths[i];
-    const double change = marks.rest.value[i + 1] - marks.rest.value[i] - drift * duration(breath);
+    const double change = sudden_change(marks, i, drift);
     for (const auto& reason : {far_from_median("tidal volume", breath.tidal_volume_m3, usual_volume, ml),
                                far_from_median("duration", duration(breath), usual_duration, seconds),
                                odd_inspiration(breath), odd_return(breath, change)}) {

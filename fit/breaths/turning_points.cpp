@@ -30,17 +30,19 @@ std::vector<TurningPoint> settled(std::span<const double> signal, double thresho
   return turns;
 }
 
-// The part of the record in cycles, trough to trough, whose rise and length are within a factor of two of the
+// The part of the record in cycles, trough to trough (less 1 where these are too long), whose height above their rests and length are within a factor of two of the
 // median.
-double regular_part(std::span<const double> signal, const std::vector<TurningPoint>& turns) {
+double regular_part(std::span<const double> signal, const std::vector<TurningPoint>& turns,
+                    double longest) {
   std::vector<double> heights, lengths;
   for (std::size_t k = turns.empty() || turns[0].peak ? 1 : 0; k + 2 < turns.size(); k += 2) {
-    heights.push_back(signal[turns[k + 1].index] - signal[turns[k].index]);
+    const double rests = 0.5 * (signal[turns[k].index] + signal[turns[k + 2].index]);
+    heights.push_back(signal[turns[k + 1].index] - rests);
     lengths.push_back(static_cast<double>(turns[k + 2].index - turns[k].index));
   }
   const auto usual = [](double value, double middle) { return value > 0.5 * middle && value < 2 * middle; };
   const double height = median(heights), length = median(lengths);
-  double part = 0;
+  double part = length > longest ? -1 : 0;
   for (std::size_t i = 0; i < lengths.size(); ++i)
     if (usual(heights[i], height) && usual(lengths[i], length))
       part += lengths[i] / static_cast<double>(signal.size());
@@ -71,14 +73,16 @@ std::vector<TurningPoint> turning_points(std::span<const double> signal, double 
   return turns;
 }
 
-std::vector<TurningPoint> breath_turning_points(std::span<const double> volume) {
+std::vector<TurningPoint> breath_turning_points(std::span<const double> volume, double longest) {
   const auto [low, high] = std::minmax_element(volume.begin(), volume.end());
-  const double least = std::max(least_of_range * (*high - *low), least_of_noise * noise_deviation(volume));
+  const double range = *high - *low;
+  const double least =
+      std::min(std::max(least_of_range * range, least_of_noise * noise_deviation(volume)), 0.1 * range);
   std::vector<TurningPoint> best;
-  double regular = -1;
-  for (double first = threshold_of_rise * (*high - *low); first > least; first /= 2) {
+  double regular = -2;
+  for (double first = threshold_of_rise * range; first > least; first /= 2) {
     auto turns = settled(volume, first);
-    const double found = regular_part(volume, turns);
+    const double found = regular_part(volume, turns, longest);
     if (found > regular + clearly) regular = found, best = std::move(turns);
   }
   return best;

@@ -22,6 +22,6 @@ std::vector<TurningPoint> turning_points(std::span<const double> signal, double 
 /// range, which a sigh or a drift may fill, first thresholds are halved and each follows the median rise;
 /// taken is the largest for which hardly more of the record (a tenth, our choice) would be regular cycles
 /// with a smaller one. Knows no unit of time or volume, so that wrong units can be told from what it finds.
-std::vector<TurningPoint> breath_turning_points(std::span<const double> volume);
+std::vector<TurningPoint> breath_turning_points(std::span<const double> volume, double longest);
 
 }  // namespace trunk

@@ -33,19 +33,18 @@ double central_range(std::vector<double> values) {
   return at(0.95) - low;
 }
 
-// The largest step between the samples around step i (from i-1 to i), the steps in [skip_first, skip_last]
-// excepted.
-double step_nearby(std::span<const double> signal, std::size_t skip_first, std::size_t skip_last) {
+// The steps between the samples around step i (from i-1 to i), the steps in [skip_first, skip_last] excepted.
+std::vector<double> steps_nearby(std::span<const double> signal, std::size_t skip_first, std::size_t skip_last) {
   constexpr std::size_t reach = 3;
-  double largest = 0;
+  std::vector<double> steps;
   const std::size_t first = skip_first > reach ? skip_first - reach : 1;
   for (std::size_t k = first; k <= std::min(skip_last + reach, signal.size() - 1); ++k)
-    if (k < skip_first || k > skip_last) largest = std::max(largest, std::abs(signal[k] - signal[k - 1]));
-  return largest;
+    if (k < skip_first || k > skip_last) steps.push_back(std::abs(signal[k] - signal[k - 1]));
+  return steps;
 }
 
 // The length of a spike that begins at sample i, or 0. It leaves at once, stays on one side and comes back at
-// once, nearly to where it left. Our choice: a fifth of the central range, five times the steps nearby, back
+// once, nearly to where it left. Our choice: a fifth of the central range, five times the steps nearby (their median: spikes may be close), back
 // within half its height.
 std::size_t spike_at(std::span<const double> signal, std::size_t i, std::size_t longest, double least) {
   const double before = signal[i - 1], up = signal[i] - before;
@@ -55,7 +54,7 @@ std::size_t spike_at(std::span<const double> signal, std::size_t i, std::size_t 
   for (std::size_t k = 1; k <= longest && i + k < signal.size(); ++k) {
     const double back = side * (signal[i + k - 1] - signal[i + k]), left = side * (signal[i + k] - before);
     if (back > least && std::abs(left) < 0.5 * lowest &&
-        std::min(std::abs(up), back) > 5 * step_nearby(signal, i, i + k))
+        std::min(std::abs(up), back) > 5 * median(steps_nearby(signal, i, i + k)))
       return k;
     lowest = std::min(lowest, left);
     if (lowest <= least) return 0;
@@ -64,7 +63,7 @@ std::size_t spike_at(std::span<const double> signal, std::size_t i, std::size_t 
 }
 
 // Spikes up to five samples and a tenth of a second, whichever is shorter; a single sample may last longer.
-std::size_t repair_spikes(std::span<const double> time, std::vector<double>& signal) {
+std::size_t repair_spikes_once(std::span<const double> time, std::vector<double>& signal) {
   const double least = 0.2 * central_range(signal);
   const double step = (time.back() - time.front()) / static_cast<double>(time.size() - 1);
   const auto longest = static_cast<std::size_t>(std::clamp(0.1 / step, 1.0, 5.0));
@@ -81,6 +80,17 @@ std::size_t repair_spikes(std::span<const double> time, std::vector<double>& sig
   return repaired;
 }
 
+// A spike may hide another beside it.
+std::size_t repair_spikes(std::span<const double> time, std::vector<double>& signal) {
+  std::size_t repaired = 0;
+  for (int round = 0; round < 5; ++round) {
+    const std::size_t more = repair_spikes_once(time, signal);
+    repaired += more;
+    if (more == 0) break;
+  }
+  return repaired;
+}
+
 std::vector<double> integrated(std::span<const double> time, std::span<const double> flow) {
   std::vector<double> volume(flow.size(), 0.0);
   for (std::size_t i = 1; i < flow.size(); ++i)
@@ -88,19 +98,24 @@ std::vector<double> integrated(std::span<const double> time, std::span<const dou
   return volume;
 }
 
-// A reset lands on zero from a distance the steps around it do not explain. Our choice: 4 times those steps,
-// at least 1 % of the range, and zero to within 2 % of the range. Smaller jumps are left: they count as
+double largest(const std::vector<double>& values) {
+  return values.empty() ? 0 : *std::max_element(values.begin(), values.end());
+}
+
+// A reset lands on zero from a distance the steps around it do not explain. Our choice: 2.5 times those steps,
+// at least 5 % of the range and 8 deviations of the noise, and zero to within 2 % of the range. Smaller jumps are left: they count as
 // drift.
 std::size_t remove_resets(std::vector<double>& volume) {
   const std::vector<double> raw = volume;
   const double range = central_range(raw);
+  const double least = std::max(0.05 * range, 8 * noise_deviation(raw));
   double offset = 0;
   std::size_t resets = 0;
   for (std::size_t i = 1; i < raw.size(); ++i) {
-    const double jump = raw[i] - raw[i - 1], nearby = step_nearby(raw, i, i);
+    const double jump = raw[i] - raw[i - 1];
     const bool lands_on_zero = std::abs(raw[i]) <= 0.02 * range;
     // A jump is followed by ordinary steps; an outlier would step back.
-    if (lands_on_zero && std::abs(jump) > 0.05 * range && std::abs(jump) > 4 * nearby) {
+    if (lands_on_zero && std::abs(jump) > least && std::abs(jump) > 2.5 * largest(steps_nearby(raw, i, i))) {
       const double step_before = i >= 2 ? raw[i - 1] - raw[i - 2] : 0;
       offset += step_before - jump;
       ++resets;
