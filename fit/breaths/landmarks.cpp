@@ -10,11 +10,11 @@ namespace trunk {
 namespace {
 
 constexpr double around_turn = 0.1, around_in_noise = 0.35;  // of a height: what is fitted
-constexpr double noise_share = 8;        // so many deviations of the bins are added
-constexpr double around_pause = 0.3;     // of a height
-constexpr double seen = 0.5;             // of what is fitted: below, the side of a turn is not in the record
+constexpr double noise_share = 8;                            // so many deviations of the bins are added
+constexpr double around_pause = 0.3;                         // of a height
+constexpr double seen = 0.5;  // of what is fitted: below, the side of a turn is not in the record
 constexpr int more_bins = 3;  // on either side
-constexpr double clearly = 0.1, least_misfit = 1e-8;
+constexpr double better_shape = 0.1, least_misfit = 1e-8;
 constexpr double longest_side = 3;       // breaths
 constexpr double bins_per_breath = 200;  // fits are made to means over bins
 constexpr std::size_t many_turns = 40;   // enough to tell the shape
@@ -76,16 +76,19 @@ Window around(const Bins& bins, std::size_t turn, const Reach& reach, double sha
   std::size_t from = turn, until = turn;
   while (from > reach.first && inside(from - 1, reach.height_before)) --from;
   while (until < reach.last && inside(until + 1, reach.height_after)) ++until;
-  for (int more = 0; more < more_bins && from > reach.first && !enough(from, reach.height_before); ++more) --from;
-  for (int more = 0; more < more_bins && until < reach.last && !enough(until, reach.height_after); ++more) ++until;
+  for (int more = 0; more < more_bins && from > reach.first && !enough(from, reach.height_before); ++more)
+    --from;
+  for (int more = 0; more < more_bins && until < reach.last && !enough(until, reach.height_after); ++more)
+    ++until;
   const auto part = [&](const std::vector<double>& all) {
     return Samples(all).subspan(from, until - from + 1);
   };
-  return {part(bins.time),
-          part(bins.volume),
-          part(bins.smooth),
-          {height(from) > seen * share * reach.height_before, height(until) > seen * share * reach.height_after},
-          std::max(reach.height_before, reach.height_after)};
+  return {
+      part(bins.time),
+      part(bins.volume),
+      part(bins.smooth),
+      {height(from) > seen * share * reach.height_before, height(until) > seen * share * reach.height_after},
+      std::max(reach.height_before, reach.height_after)};
 }
 
 std::vector<Window> around_rests(const Bins& bins, double share) {
@@ -97,7 +100,8 @@ std::vector<Window> around_rests(const Bins& bins, double share) {
     };
     windows.push_back(around(bins, bins.trough[i],
                              {i > 0 ? bins.peak[i - 1] : 0, i < n ? bins.peak[i] : bins.time.size() - 1,
-                              height(i > 0 ? i - 1 : 0), height(i < n ? i : n - 1)}, share));
+                              height(i > 0 ? i - 1 : 0), height(i < n ? i : n - 1)},
+                             share));
   }
   return windows;
 }
@@ -106,7 +110,8 @@ void keep(Window& w, std::size_t first, std::size_t count) {
   w.time = w.time.subspan(first, count), w.volume = w.volume.subspan(first, count);
 }
 
-// Of what comes before the inspiration, about as much as is fitted of it: not the whole tail of an expiration.
+// Of what comes before the inspiration, about as much as is fitted of it: not the whole tail of an
+// expiration.
 void shorten(Window& w, double longest_s) {
   if (!w.sides.after) return keep(w, 0, bin_at(w.time, w.time.front() + longest_s) + 1);
   const double low = *std::min_element(w.volume.begin(), w.volume.end()), high = w.volume.back();
@@ -122,11 +127,9 @@ void shorten(Window& w, double longest_s) {
 std::vector<Window> around_tops(const Bins& bins) {
   std::vector<Window> windows;
   for (std::size_t i = 0; i < bins.peak.size(); ++i) {
-    const auto depth = [&](std::size_t k) {
-      return bins.smooth[bins.trough[k]] - bins.smooth[bins.peak[i]];
-    };
-    windows.push_back(
-        around(bins, bins.peak[i], {bins.trough[i], bins.trough[i + 1], depth(i), depth(i + 1)}, bins.around));
+    const auto depth = [&](std::size_t k) { return bins.smooth[bins.trough[k]] - bins.smooth[bins.peak[i]]; };
+    windows.push_back(around(bins, bins.peak[i], {bins.trough[i], bins.trough[i + 1], depth(i), depth(i + 1)},
+                             bins.around));
   }
   return windows;
 }
@@ -146,7 +149,7 @@ double misfit_of(const std::vector<Window>& windows, TurnShape shape) {
 // Flows that grow and fade evenly, unless others fit clearly better.
 TurnShape shape_of(const std::vector<Window>& windows) {
   TurnShape best{2, 2};
-  double least = misfit_of(windows, best) - clearly;
+  double least = misfit_of(windows, best) - better_shape;
   for (const double before : turn_powers)
     for (const double after : turn_powers)
       if (const double misfit = misfit_of(windows, {before, after}); misfit < least)

@@ -10,9 +10,9 @@ namespace trunk {
 
 /// Where n whole breaths begin, peak and end: breath i runs from rest i over peak i to rest i+1.
 struct Landmarks {
-  KnotLine rest;                ///< onsets, [n+1]: time s, volume at rest there, before drift removal
-  std::vector<double> rests_s;  ///< [n+1] how long the volume was level before that time
-  std::vector<double> peak_s;   ///< [n] end of inspiration; the middle of a plateau
+  KnotLine rest;                     ///< onsets, [n+1]: time s, volume at rest there, before drift removal
+  std::vector<double> rests_s;       ///< [n+1] how long the volume was level before that time
+  std::vector<double> peak_s;        ///< [n] end of inspiration; the middle of a plateau
   std::vector<double> tidal_volume;  ///< [n] top above the line between the two rests
 };
 

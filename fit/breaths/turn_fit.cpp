@@ -27,13 +27,15 @@ struct Side {
 
 Side side_before(Samples time, Samples volume, double t0, double power) {
   Side side;
-  for (std::size_t i = 0; i < time.size() && time[i] < t0; ++i) side.add(raised(t0 - time[i], power), volume[i]);
+  for (std::size_t i = 0; i < time.size() && time[i] < t0; ++i)
+    side.add(raised(t0 - time[i], power), volume[i]);
   return side;
 }
 
 Side side_after(Samples time, Samples volume, double t0, double power) {
   Side side;
-  for (std::size_t i = time.size(); i-- > 0 && time[i] > t0;) side.add(raised(time[i] - t0, power), volume[i]);
+  for (std::size_t i = time.size(); i-- > 0 && time[i] > t0;)
+    side.add(raised(time[i] - t0, power), volume[i]);
   return side;
 }
 
@@ -108,8 +110,10 @@ Turn fit_turn(Samples time, Samples volume, TurnShape shape, TurnSides sides) {
   Solution found = at(best);
   double step = n > 1 ? 0.5 * (time.back() - time.front()) / static_cast<double>(n - 1) : 0;
   for (int round = 0; round < 6; ++round, step /= 2)
-    for (const auto& [begin, end] : {Ends{-1, 0}, Ends{1, 0}, Ends{0, -1}, Ends{0, 1}, Ends{-1, -1}, Ends{1, 1}}) {
-      const Ends next{best.begin + (sides.before ? begin * step : 0), best.end + (sides.after ? end * step : 0)};
+    for (const auto& [begin, end] :
+         {Ends{-1, 0}, Ends{1, 0}, Ends{0, -1}, Ends{0, 1}, Ends{-1, -1}, Ends{1, 1}}) {
+      const Ends next{best.begin + (sides.before ? begin * step : 0),
+                      best.end + (sides.after ? end * step : 0)};
       if (next.begin > next.end || next.begin < time.front() || next.end > time.back()) continue;
       if (const Solution tried = at(next); tried.misfit < found.misfit) found = tried, best = next;
     }

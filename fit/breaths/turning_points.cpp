@@ -9,14 +9,7 @@ namespace {
 
 constexpr double threshold_of_rise = 0.3;
 constexpr double least_of_range = 0.001, least_of_noise = 10;
-constexpr double clearly = 0.1;  // of the record
-
-std::vector<double> rises(std::span<const double> signal, const std::vector<TurningPoint>& turns) {
-  std::vector<double> found;
-  for (std::size_t k = 1; k < turns.size(); ++k)
-    if (turns[k].peak) found.push_back(signal[turns[k].index] - signal[turns[k - 1].index]);
-  return found;
-}
+constexpr double clearly_more = 0.1;  // of the record
 
 // A fixed point within a few rounds, as each round only adds or drops rises far from the median.
 std::vector<TurningPoint> settled(std::span<const double> signal, double threshold) {
@@ -30,10 +23,9 @@ std::vector<TurningPoint> settled(std::span<const double> signal, double thresho
   return turns;
 }
 
-// The part of the record in cycles, trough to trough (less 1 where these are too long), whose height above their rests and length are within a factor of two of the
-// median.
-double regular_part(std::span<const double> signal, const std::vector<TurningPoint>& turns,
-                    double longest) {
+// The part of the record in cycles, trough to trough (less 1 where these are too long), whose height above
+// their rests and length are within a factor of two of the median.
+double regular_part(std::span<const double> signal, const std::vector<TurningPoint>& turns, double longest) {
   std::vector<double> heights, lengths;
   for (std::size_t k = turns.empty() || turns[0].peak ? 1 : 0; k + 2 < turns.size(); k += 2) {
     const double rests = 0.5 * (signal[turns[k].index] + signal[turns[k + 2].index]);
@@ -50,6 +42,13 @@ double regular_part(std::span<const double> signal, const std::vector<TurningPoi
 }
 
 }  // namespace
+
+std::vector<double> rises(std::span<const double> signal, const std::vector<TurningPoint>& turns) {
+  std::vector<double> found;
+  for (std::size_t k = 1; k < turns.size(); ++k)
+    if (turns[k].peak) found.push_back(signal[turns[k].index] - signal[turns[k - 1].index]);
+  return found;
+}
 
 std::vector<TurningPoint> turning_points(std::span<const double> signal, double threshold) {
   std::vector<TurningPoint> turns;
@@ -83,7 +82,7 @@ std::vector<TurningPoint> breath_turning_points(std::span<const double> volume, 
   for (double first = threshold_of_rise * range; first > least; first /= 2) {
     auto turns = settled(volume, first);
     const double found = regular_part(volume, turns, longest);
-    if (found > regular + clearly) regular = found, best = std::move(turns);
+    if (found > regular + clearly_more) regular = found, best = std::move(turns);
   }
   return best;
 }

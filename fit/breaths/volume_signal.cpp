@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <string>
 
 #include "breaths/robust.hpp"
 #include "errors/input_error.hpp"
@@ -11,15 +12,45 @@
 namespace trunk {
 namespace {
 
+std::string value_text(const Trace& trace, double value) {
+  if (trace.kind == SignalKind::belt) return number_text(value);
+  return trace.kind == SignalKind::flow ? number_text(value * 1e3) + " L/s"
+                                        : number_text(value * 1e6) + " ml";
+}
+
 void check_varies(const Trace& trace) {
   const auto [low, high] = std::minmax_element(trace.value.begin(), trace.value.end());
   if (*low < *high) return;
-  const bool flow = trace.kind == SignalKind::flow;
+  const bool flow = trace.kind == SignalKind::flow, belt = trace.kind == SignalKind::belt;
   throw InputError(
       trace.source, 0,
-      "all " + std::to_string(trace.value.size()) + " samples of the " + (flow ? "flow" : "volume") +
-          " are " + number_text(*low * (flow ? 1e3 : 1e6)) + (flow ? " L/s" : " ml") +
+      "all " + std::to_string(trace.value.size()) + " samples of the " +
+          (flow   ? "flow"
+           : belt ? "belt"
+                  : "volume") +
+          " are " + value_text(trace, *low) +
           "; expected a signal that varies with breathing; check the sensor or choose another column");
+}
+
+// Samples crowd at an extreme: near it there are hardly fewer than in a range four times as wide, where a
+// smooth top leaves half and a sharp one a quarter (our choice: three quarters of them, of 1 % of all).
+std::string saturation(const Trace& trace, double extreme, double range, const std::string& which) {
+  const auto within = [&](double distance) {
+    return static_cast<double>(std::count_if(trace.value.begin(), trace.value.end(), [&](double v) {
+      return std::abs(v - extreme) <= distance * range;
+    }));
+  };
+  const double near = within(0.005), part = near / static_cast<double>(trace.value.size());
+  if (near < 5 || part < 0.01 || near < 0.75 * within(0.02)) return "";
+  return number_text(100 * part, 2) + " % of the samples lie at the " + which + " value, " +
+         value_text(trace, extreme) + ": clipped, or held there";
+}
+
+void note_saturation(const Trace& trace, std::vector<std::string>& notes) {
+  const auto [low, high] = std::minmax_element(trace.value.begin(), trace.value.end());
+  notes.push_back(saturation(trace, *high, *high - *low, "highest"));
+  if (trace.kind != SignalKind::volume) notes.push_back(saturation(trace, *low, *high - *low, "lowest"));
+  std::erase(notes, "");
 }
 
 // The range without its outer 5 % on either side: what a few wild samples cannot change.
@@ -34,7 +65,8 @@ double central_range(std::vector<double> values) {
 }
 
 // The steps between the samples around step i (from i-1 to i), the steps in [skip_first, skip_last] excepted.
-std::vector<double> steps_nearby(std::span<const double> signal, std::size_t skip_first, std::size_t skip_last) {
+std::vector<double> steps_nearby(std::span<const double> signal, std::size_t skip_first,
+                                 std::size_t skip_last) {
   constexpr std::size_t reach = 3;
   std::vector<double> steps;
   const std::size_t first = skip_first > reach ? skip_first - reach : 1;
@@ -44,8 +76,8 @@ std::vector<double> steps_nearby(std::span<const double> signal, std::size_t ski
 }
 
 // The length of a spike that begins at sample i, or 0. It leaves at once, stays on one side and comes back at
-// once, nearly to where it left. Our choice: a fifth of the central range, five times the steps nearby (their median: spikes may be close), back
-// within half its height.
+// once, nearly to where it left. Our choice: a fifth of the central range, five times the steps nearby (their
+// median: spikes may be close), back within half its height.
 std::size_t spike_at(std::span<const double> signal, std::size_t i, std::size_t longest, double least) {
   const double before = signal[i - 1], up = signal[i] - before;
   if (std::abs(up) <= least) return 0;
@@ -73,7 +105,8 @@ std::size_t repair_spikes_once(std::span<const double> time, std::vector<double>
     if (length == 0) continue;
     const double before = signal[i - 1], after = signal[i + length];
     for (std::size_t k = 0; k < length; ++k)
-      signal[i + k] = before + (after - before) * static_cast<double>(k + 1) / static_cast<double>(length + 1);
+      signal[i + k] =
+          before + (after - before) * static_cast<double>(k + 1) / static_cast<double>(length + 1);
     i += length - 1;
     ++repaired;
   }
@@ -102,9 +135,9 @@ double largest(const std::vector<double>& values) {
   return values.empty() ? 0 : *std::max_element(values.begin(), values.end());
 }
 
-// A reset lands on zero from a distance the steps around it do not explain. Our choice: 2.5 times those steps,
-// at least 5 % of the range and 8 deviations of the noise, and zero to within 2 % of the range. Smaller jumps are left: they count as
-// drift.
+// A reset lands on zero from a distance the steps around it do not explain. Our choice: 2.5 times those
+// steps, at least 5 % of the range and 8 deviations of the noise, and zero to within 2 % of the range.
+// Smaller jumps are left: they count as drift.
 std::size_t remove_resets(std::vector<double>& volume) {
   const std::vector<double> raw = volume;
   const double range = central_range(raw);
@@ -130,15 +163,16 @@ std::size_t remove_resets(std::vector<double>& volume) {
 VolumeSignal volume_signal(const Trace& trace) {
   check_varies(trace);
   VolumeSignal signal{trace.time_s, trace.value, {}};
+  note_saturation(trace, signal.notes);
   const auto note = [&](std::size_t count, const std::string& what) {
     if (count > 0) signal.notes.push_back(std::to_string(count) + " " + what);
   };
-  note(repair_spikes(signal.time_s, signal.volume_m3),
+  note(repair_spikes(signal.time_s, signal.volume),
        "spike(s) replaced by a line between the samples beside them");
   if (trace.kind == SignalKind::flow)
-    signal.volume_m3 = integrated(signal.time_s, signal.volume_m3);
+    signal.volume = integrated(signal.time_s, signal.volume);
   else
-    note(remove_resets(signal.volume_m3), "reset(s) of the volume to zero undone");
+    note(remove_resets(signal.volume), "reset(s) of the volume to zero undone");
   return signal;
 }
 

@@ -40,13 +40,6 @@ std::vector<double> averaged_for_turns(Samples volume) {
   return moving_average(volume, averaging_width(noise_deviation(volume), allowed, volume.size() / 100));
 }
 
-std::vector<double> rises(Samples volume, const Turns& turns) {
-  std::vector<double> found;
-  for (std::size_t k = 1; k < turns.size(); ++k)
-    if (turns[k].peak) found.push_back(volume[turns[k].index] - volume[turns[k - 1].index]);
-  return found;
-}
-
 struct Found {
   Turns turns;
   std::vector<double> heights;
@@ -82,7 +75,8 @@ double drift_through(Samples time, Samples volume, const std::vector<std::size_t
 }
 
 // The drift at one end of the record, where it may differ: through the three rests there.
-double drift_near(Samples time, Samples volume, const std::vector<std::size_t>& inner, bool front, double drift) {
+double drift_near(Samples time, Samples volume, const std::vector<std::size_t>& inner, bool front,
+                  double drift) {
   constexpr std::size_t few = 3;
   if (inner.size() < few) return drift;
   const auto begin = front ? inner.begin() : inner.end() - few;
@@ -103,8 +97,8 @@ void drop_cut_breaths(Samples time, Samples volume, const std::vector<std::size_
     const auto cycle = static_cast<double>(last - first) / static_cast<double>(inner.size() + 1);
     return static_cast<double>(until - from) > clear_of_edge * cycle;
   };
-  const bool first_cut = turns.front().peak || (!inside(0, first) &&
-                                                !at_rest(first, inner.empty() ? last : inner.front()));
+  const bool first_cut =
+      turns.front().peak || (!inside(0, first) && !at_rest(first, inner.empty() ? last : inner.front()));
   const bool last_cut = turns.back().peak || (!inside(last, volume.size() - 1) &&
                                               !at_rest(last, inner.empty() ? first : inner.back()));
   if (last_cut) turns.pop_back();
