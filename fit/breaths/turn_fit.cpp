@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <vector>
 
 namespace trunk {
 namespace {
+
+constexpr std::size_t most_samples = 400;
 
 using Samples = std::span<const double>;
 
@@ -85,13 +88,24 @@ Ends best_pair(Samples time, const Whole& whole, const std::vector<Side>& before
   return best;
 }
 
+// Means over so many neighbours that few are left: the cost grows with the square of the samples.
+std::vector<double> thinned(Samples samples) {
+  const std::size_t group = (samples.size() - 1) / most_samples + 1;
+  std::vector<double> means;
+  for (std::size_t i = 0; i < samples.size(); i += group) {
+    const std::size_t count = std::min(group, samples.size() - i);
+    means.push_back(std::accumulate(&samples[i], &samples[i] + count, 0.0) / static_cast<double>(count));
+  }
+  return means;
+}
+
 }  // namespace
 
-Turn fit_turn(Samples time, Samples volume, TurnShape shape, TurnSides sides) {
+Turn fit_turn(Samples all_times, Samples volume, TurnShape shape, TurnSides sides) {
+  const std::vector<double> time = thinned(all_times);
+  std::vector<double> level = thinned(volume);
   const std::size_t n = time.size();
-  double mean = 0;
-  for (const double v : volume) mean += v / static_cast<double>(n);
-  std::vector<double> level(volume.begin(), volume.end());
+  const double mean = std::accumulate(level.begin(), level.end(), 0.0) / static_cast<double>(n);
   Whole whole{static_cast<double>(n), 0};
   for (double& v : level) v -= mean, whole.squares += v * v;
 

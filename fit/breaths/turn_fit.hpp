@@ -12,7 +12,7 @@ struct TurnShape {
 };
 
 /// The shapes tried; which one holds is a property of the recording (our choice of powers).
-inline constexpr std::array turn_powers{1.0, 1.5, 2.0};
+inline constexpr std::array turn_powers{1.0, 2.0};
 
 /// A rest between two breaths, or (of the volume turned upside down) the top of one.
 struct Turn {
@@ -34,7 +34,7 @@ struct TurnSides {
 ///
 /// in level, a, b, begin and end. Unlike an extreme or a threshold, it uses what lies on both sides, so that
 /// noise neither lowers the level nor moves the ends to one side (our choice). A side that is not shown
-/// stays level up to the first or last sample.
+/// stays level up to the first or last sample. More than 400 samples are averaged in groups.
 Turn fit_turn(std::span<const double> time_s, std::span<const double> volume, TurnShape shape,
               TurnSides sides);
 
