@@ -40,18 +40,18 @@ Landmarks landmarks(Samples time, Samples volume, const WholeBreaths& breaths) {
   for (const Nearness nearness : {Nearness::wide, Nearness::close, Nearness::close}) {
     const BinnedVolume level = above_rest(1);
     KnotLine rest;
-    for (const Turn& turn : turns_in(around_onsets(level, nearness))) {
+    for (const Turn& turn : turns_in(around_onsets(level, nearness), TurnKind::onset, record.period)) {
       rest.time.push_back(between_peaks(time, breaths, rest.time.size(), turn.end_s));
       rest.value.push_back(turn.level + found.rest(rest.time.back(), breaths.drift));
     }
     found.rest = std::move(rest);
   }
   const BinnedVolume level = above_rest(1), depth = above_rest(-1);
-  for (const Turn& turn : turns_in(around_pauses(level)))
+  for (const Turn& turn : turns_in(around_pauses(level), TurnKind::other, record.period))
     found.rests_s.push_back(std::max(found.rest.time[found.rests_s.size()] - turn.begin_s, 0.0));
 
   const auto windows = around_tops(depth);
-  const auto tops = turns_in(windows);
+  const auto tops = turns_in(windows, TurnKind::other, record.period);
   for (std::size_t i = 0; i < tops.size(); ++i) {
     const double onset = found.rest.time[i], end = found.rest.time[i + 1],
                  least = least_phase * (end - onset);

@@ -12,12 +12,7 @@ constexpr std::size_t most_samples = 400;
 
 using Samples = std::span<const double>;
 
-// Powers are 1, 1.5 and 2: much faster than std::pow.
-double raised(double base, double power) {
-  return power == 2 ? base * base : power == 1 ? base : base * std::sqrt(base);
-}
-
-// Sums of one side's column of the least-squares problem, |t - t0|^power beyond t0.
+// Sums of one side's column of the least-squares problem.
 struct Side {
   double column = 0, squares = 0, product = 0;  // sums of c, c^2, c v
 
@@ -28,17 +23,17 @@ struct Side {
   }
 };
 
-Side side_before(Samples time, Samples volume, double t0, double power) {
+Side side_before(Samples time, Samples volume, double t0, double lag) {
   Side side;
   for (std::size_t i = 0; i < time.size() && time[i] < t0; ++i)
-    side.add(raised(t0 - time[i], power), volume[i]);
+    side.add(volume_from_turn(t0 - time[i], lag), volume[i]);
   return side;
 }
 
-Side side_after(Samples time, Samples volume, double t0, double power) {
+Side side_after(Samples time, Samples volume, double t0, double lag) {
   Side side;
   for (std::size_t i = time.size(); i-- > 0 && time[i] > t0;)
-    side.add(raised(time[i] - t0, power), volume[i]);
+    side.add(volume_from_turn(time[i] - t0, lag), volume[i]);
   return side;
 }
 
@@ -101,6 +96,11 @@ std::vector<double> thinned(Samples samples) {
 
 }  // namespace
 
+double volume_from_turn(double s, double lag_s) {
+  if (lag_s == 0) return s;
+  return s < 1e-3 * lag_s ? s * s : 2 * lag_s * (s + lag_s * std::expm1(-s / lag_s));  // s^2 to third order
+}
+
 Turn fit_turn(Samples all_times, Samples volume, TurnShape shape, TurnSides sides) {
   const std::vector<double> time = thinned(all_times);
   std::vector<double> level = thinned(volume);
@@ -111,13 +111,13 @@ Turn fit_turn(Samples all_times, Samples volume, TurnShape shape, TurnSides side
 
   std::vector<Side> before, after;
   for (const double t0 : time) {
-    before.push_back(side_before(time, level, t0, shape.before));
-    after.push_back(side_after(time, level, t0, shape.after));
+    before.push_back(side_before(time, level, t0, shape.before_s));
+    after.push_back(side_after(time, level, t0, shape.after_s));
   }
   Ends best = best_pair(time, whole, before, after, sides);
   const auto at = [&](const Ends& e) {
-    return solved(whole, side_before(time, level, e.begin, shape.before),
-                  side_after(time, level, e.end, shape.after));
+    return solved(whole, side_before(time, level, e.begin, shape.before_s),
+                  side_after(time, level, e.end, shape.after_s));
   };
 
   // Between sample times: step by step, each half as long.

@@ -1,18 +1,19 @@
 #pragma once
 
-#include <array>
 #include <span>
 
 namespace trunk {
 
-/// How a volume runs into a turn and out of it: as powers of the time to it and from it. A flow that stops or
-/// starts at once gives 1, one that fades or grows evenly 2.
+/// How a volume runs into a turn and out of it: the time constants with which its flow fades and grows. Flow
+/// that stops or starts at once has 0, one that changes evenly has infinity; in between is that of a passive
+/// chest which answers a force that grows.
 struct TurnShape {
-  double before = 2, after = 2;
+  double before_s, after_s;
 };
 
-/// The shapes tried; which one holds is a property of the recording (our choice of powers).
-inline constexpr std::array turn_powers{1.0, 2.0};
+/// The volume a time s >= 0 from a turn, up to a factor: the integral of 1 - exp(-s/lag), or its limits s and
+/// s^2.
+double volume_from_turn(double s, double lag_s);
 
 /// A rest between two breaths, or (of the volume turned upside down) the top of one.
 struct Turn {
@@ -28,9 +29,9 @@ struct TurnSides {
 
 /// Least squares over all samples around a turn (at least one; time increases) of
 ///
-///     level + b (begin - t)^before   for t < begin
-///     level                          from begin to end
-///     level + a (t - end)^after      for t > end,          a, b >= 0
+///     level + b v(begin - t; before)   for t < begin
+///     level                            from begin to end
+///     level + a v(t - end; after)      for t > end,   a, b >= 0, v = volume_from_turn
 ///
 /// in level, a, b, begin and end. Unlike an extreme or a threshold, it uses what lies on both sides, so that
 /// noise neither lowers the level nor moves the ends to one side (our choice). A side that is not shown

@@ -1,6 +1,7 @@
 #include "breaths/turn_windows.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "breaths/robust.hpp"
@@ -15,7 +16,11 @@ constexpr double seen = 0.5;        // of what is fitted: below, a side of the t
 constexpr double longest_side = 3;  // breaths
 constexpr int more_bins = 3;        // on either side, for sharp turns and few samples
 constexpr std::size_t many_turns = 40;
-constexpr double better_shape = 0.1, least_misfit = 1e-8;
+constexpr double least_misfit = 1e-8;
+
+constexpr double evenly = HUGE_VAL;                                          // a time constant
+constexpr std::array onset_lags{0.0, 0.01, 0.02, 0.04, 0.08, 0.16, evenly};  // breaths
+constexpr std::array other_lags{0.0, evenly};
 
 using Samples = std::span<const double>;
 
@@ -77,7 +82,7 @@ void shorten(TurnWindow& w, double longest_s) {
   const double low = *std::min_element(w.volume.begin(), w.volume.end()), high = w.volume.back();
   std::size_t third = w.time.size() - 1;
   while (third > 0 && w.volume[third] > low + (high - low) / 3) --third;
-  const double length = std::min(4 * (w.time.back() - w.time[third]), longest_s);
+  const double length = std::min(3 * (w.time.back() - w.time[third]), longest_s);
   std::size_t first = 0;
   while (first + 1 < third && w.time[first] < w.time.back() - length) ++first;
   keep(w, first, w.time.size() - first);
@@ -95,12 +100,11 @@ double misfit_of(const std::vector<TurnWindow>& windows, TurnShape shape) {
   return sum / count;
 }
 
-// Flows that grow and fade evenly, unless others fit clearly better.
-TurnShape shape_of(const std::vector<TurnWindow>& windows) {
-  TurnShape best{2, 2};
-  double least = misfit_of(windows, best) - better_shape;
-  for (const double before : turn_powers)
-    for (const double after : turn_powers)
+TurnShape shape_of(const std::vector<TurnWindow>& windows, Samples lags_after) {
+  TurnShape best{evenly, evenly};
+  double least = HUGE_VAL;
+  for (const double before : other_lags)
+    for (const double after : lags_after)
       if (const double misfit = misfit_of(windows, {before, after}); misfit < least)
         least = misfit, best = {before, after};
   return best;
@@ -158,8 +162,13 @@ std::vector<TurnWindow> around_tops(const BinnedVolume& bins) {
   return windows;
 }
 
-std::vector<Turn> turns_in(const std::vector<TurnWindow>& windows) {
-  const TurnShape shape = shape_of(windows);
+std::vector<Turn> turns_in(const std::vector<TurnWindow>& windows, TurnKind kind, double period) {
+  std::vector<double> lags(other_lags.begin(), other_lags.end());
+  if (kind == TurnKind::onset) {
+    lags.assign(onset_lags.begin(), onset_lags.end());
+    for (double& lag : lags) lag *= period;
+  }
+  const TurnShape shape = shape_of(windows, lags);
   std::vector<Turn> turns;
   for (const TurnWindow& w : windows) turns.push_back(fit_turn(w.time, w.volume, shape, w.sides));
   return turns;

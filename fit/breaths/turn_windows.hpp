@@ -47,8 +47,11 @@ std::vector<TurnWindow> around_pauses(const BinnedVolume& level);
 /// Around each top [n] of a volume that is upside down.
 std::vector<TurnWindow> around_tops(const BinnedVolume& depth);
 
-/// All in one shape: that with the least mean log misfit (of up to 40 of them, which are enough), but even
-/// growth and fading (2, 2) unless another is better by 0.1 (our choice).
-std::vector<Turn> turns_in(const std::vector<TurnWindow>& windows);
+enum class TurnKind { onset, other };
+
+/// All in one shape: that with the least mean log misfit (of up to 40 of them, which are enough). Flow
+/// changes at once or evenly; that of an onset may also grow with a time constant of 0.01 to 0.16 breaths
+/// (our choice).
+std::vector<Turn> turns_in(const std::vector<TurnWindow>& windows, TurnKind kind, double period);
 
 }  // namespace trunk
