@@ -33,15 +33,22 @@ void check_varies(const Trace& trace) {
 }
 
 // Samples crowd at an extreme: near it there are hardly fewer than in a range four times as wide, where a
-// smooth top leaves half and a sharp one a quarter (our choice: three quarters of them, of 1 % of all).
+// smooth top leaves half and a sharp one a quarter (our choice: three quarters of them, of 1 % of all). What
+// is there at a jump, as a ventilator's constant flow, is not cut off.
 std::string saturation(const Trace& trace, double extreme, double range, const std::string& which) {
-  const auto within = [&](double distance) {
-    return static_cast<double>(std::count_if(trace.value.begin(), trace.value.end(), [&](double v) {
-      return std::abs(v - extreme) <= distance * range;
-    }));
+  const auto within = [&](std::size_t i, double distance) {
+    return std::abs(trace.value[i] - extreme) <= distance * range;
   };
-  const double near = within(0.005), part = near / static_cast<double>(trace.value.size());
-  if (near < 5 || part < 0.01 || near < 0.75 * within(0.02)) return "";
+  double near = 0, wide = 0, jumps = 0, entries = 0;
+  for (std::size_t i = 0; i < trace.value.size(); ++i) {
+    near += within(i, 0.005) ? 1 : 0;
+    wide += within(i, 0.02) ? 1 : 0;
+    if (i == 0 || !within(i, 0.005) || within(i - 1, 0.005)) continue;
+    ++entries;
+    jumps += within(i - 1, 0.2) ? 0 : 1;
+  }
+  const double part = near / static_cast<double>(trace.value.size());
+  if (near < 5 || part < 0.01 || near < 0.75 * wide || jumps > 0.5 * entries) return "";
   return number_text(100 * part, 2) + " % of the samples lie at the " + which + " value, " +
          value_text(trace, extreme) + ": clipped, or held there";
 }
@@ -49,7 +56,8 @@ std::string saturation(const Trace& trace, double extreme, double range, const s
 void note_saturation(const Trace& trace, std::vector<std::string>& notes) {
   const auto [low, high] = std::minmax_element(trace.value.begin(), trace.value.end());
   notes.push_back(saturation(trace, *high, *high - *low, "highest"));
-  if (trace.kind != SignalKind::volume) notes.push_back(saturation(trace, *low, *high - *low, "lowest"));
+  // A volume may rest at its lowest.
+  if (trace.kind == SignalKind::flow) notes.push_back(saturation(trace, *low, *high - *low, "lowest"));
   std::erase(notes, "");
 }
 

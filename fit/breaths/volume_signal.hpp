@@ -15,7 +15,7 @@ struct VolumeSignal {
 
 /// From a trace: spikes of up to five samples and 0.1 s are replaced by a line; a flow is integrated by the
 /// trapezoidal rule from 0; a volume that jumps to 0 (the reset of ventilators and spirometers) is made
-/// continuous. Samples that crowd at the highest value (of a flow or belt: or the lowest) are noted with
+/// continuous. Samples that crowd at the highest value (of a flow: or the lowest) are noted with
 /// their share. Throws InputError with the trace's source when all samples have one value.
 VolumeSignal volume_signal(const Trace& trace);
 
