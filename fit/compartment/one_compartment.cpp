@@ -78,14 +78,14 @@ BreathActivation<double> timed_by_one_compartment(const Target& target,
     a.slow_fall_s = std::exp(x[2]);
     return a;
   };
-  const auto trials = [&](const std::vector<Eigen::VectorXd>& some) {
-    std::vector<Trial> all;
+  const auto outcomes = [&](const std::vector<Eigen::VectorXd>& some) {
+    std::vector<Outcome> all;
     for (const Eigen::VectorXd& x : some)
       all.push_back({std::nullopt, Problem{target, timed(x)}.at(std::exp(x[3])).residual_sum});
     return all;
   };
   const double shortest = std::log(0.02), longest = std::log(target.time_s.back());
-  const LeastSquares problem{trials, Eigen::Vector4d(shortest, shortest, shortest, std::log(slowest_rate)),
+  const LeastSquares problem{outcomes, Eigen::Vector4d(shortest, shortest, shortest, std::log(slowest_rate)),
                              Eigen::Vector4d(longest, longest, longest, std::log(fastest_rate))};
   SearchOptions options;
   options.algorithm = "sbplx";  // the sum of squares has corners where a knot passes a sample

@@ -5,16 +5,12 @@
 #include <string_view>
 #include <vector>
 
-#include "activation/breath_activation.hpp"
-#include "model/parameters.hpp"
+#include "dynamics/trial.hpp"
 
 namespace trunk {
 
 /// What a fit tries out: mechanical parameters and activation.
-struct Candidate {
-  Parameters<double> parameters;
-  BreathActivation<double> activation;
-};
+using Candidate = Trial<double>;
 
 /// A parameter that may be fitted, in its natural unit, within bounds wide enough for any adult (our choice).
 struct FreeParameter {

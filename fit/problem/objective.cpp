@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstring>
+#include <thread>
 
 #include "errors/input_error.hpp"
 #include "parallel/workers.hpp"
@@ -12,10 +13,13 @@
 namespace trunk {
 
 std::string ledger_key(const Candidate& c) {
-  std::vector<double> numbers = {c.activation.period_s};
-  for (const FreeParameter& p : free_parameters()) numbers.push_back(value_of(p, c));
-  std::string bytes(numbers.size() * sizeof(double), '\0');
-  std::memcpy(bytes.data(), numbers.data(), bytes.size());
+  Candidate copy = c;
+  std::string bytes;
+  for (const double* number : numbers(copy)) {
+    char eight[sizeof(double)];
+    std::memcpy(eight, number, sizeof eight);
+    bytes.append(eight, sizeof eight);
+  }
   return bytes;
 }
 
@@ -34,7 +38,7 @@ Objective::Objective(const Trunk& trunk, const TimeGrid& grid, const SearchSpace
 }
 
 LeastSquares Objective::problem() {
-  return {[this](const std::vector<Eigen::VectorXd>& some) { return trials(some); }, space_.lower(),
+  return {[this](const std::vector<Eigen::VectorXd>& some) { return outcomes(some); }, space_.lower(),
           space_.upper()};
 }
 
@@ -43,16 +47,18 @@ void Objective::charge(Loss loss, double scale) {
   loss_scale_ = scale;
 }
 
-LedgerEntry Objective::simulate(const Candidate& candidate) const {
+std::vector<LedgerEntry> Objective::simulate(const std::vector<Candidate>& candidates) const {
   const auto start = std::chrono::steady_clock::now();
-  const VolumeCurve curve = simulate_volume(trunk_, candidate.parameters, candidate.activation, grid_);
-  LedgerEntry entry{static_cast<std::int32_t>(curve.summary.status), curve.summary.time_s, 0.0, {}};
-  if (curve.summary.completed()) {
+  std::vector<LedgerEntry> entries;
+  for (const VolumeCurve& curve : simulate_volumes(trunk_, candidates, grid_)) {
+    entries.push_back({static_cast<std::int32_t>(curve.summary.status), curve.summary.time_s, 0.0, {}});
+    if (!curve.summary.completed()) continue;
     const Eigen::VectorXd model = as_target_sees(target_, curve.delta_v, grid_.dt_s);
-    entry.values.assign(model.data(), model.data() + model.size());
+    entries.back().values.assign(model.data(), model.data() + model.size());
   }
-  entry.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  return entry;
+  const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
+  for (LedgerEntry& entry : entries) entry.wall_s = wall.count() / static_cast<double>(entries.size());
+  return entries;
 }
 
 /// The ledger is a file like any other: what it holds is looked at before it is believed.
@@ -77,18 +83,26 @@ void Objective::simulate_missing(const std::vector<Candidate>& candidates,
       missing.push_back(i);
   const auto cancelled = [&] { return execution_.cancelled && execution_.cancelled(); };
   if (cancelled()) throw Cancelled();
-  if (missing.size() == 1) {
-    ledger_.add(keys[missing[0]], simulate(candidates[missing[0]]));
-    ++simulated_;
-    return;
-  }
-  using Result = std::pair<std::size_t, LedgerEntry>;
-  work_off<Result>(
-      missing, execution_.threads, cancelled,
-      [&](std::size_t i) { return Result(i, simulate(candidates[i])); },
-      [&](Result result) {
-        ledger_.add(keys[result.first], std::move(result.second));
-        ++simulated_;
+  // As many side by side as lanes; fewer where a thread would have nothing to do.
+  const std::size_t threads =
+      execution_.threads > 0 ? execution_.threads : std::max(1u, std::thread::hardware_concurrency());
+  const std::size_t share = (missing.size() + threads - 1) / threads;
+  const std::size_t width = std::clamp<std::size_t>(share, 1, static_cast<std::size_t>(batch_lanes));
+  std::vector<std::size_t> firsts;
+  for (std::size_t i = 0; i < missing.size(); i += width) firsts.push_back(i);
+  using Results = std::pair<std::size_t, std::vector<LedgerEntry>>;
+  work_off<Results>(
+      firsts, static_cast<unsigned>(std::min(threads, firsts.size())), cancelled,
+      [&](std::size_t first) {
+        std::vector<Candidate> together;
+        for (std::size_t i = first; i < std::min(first + width, missing.size()); ++i)
+          together.push_back(candidates[missing[i]]);
+        return Results(first, simulate(together));
+      },
+      [&](Results results) {
+        for (std::size_t i = 0; i < results.second.size(); ++i)
+          ledger_.add(keys[missing[results.first + i]], std::move(results.second[i]));
+        simulated_ += results.second.size();
         if (execution_.progress) execution_.progress(evaluations_.size() + simulated_);
       });
   if (cancelled()) throw Cancelled();
@@ -103,7 +117,7 @@ std::vector<const LedgerEntry*> Objective::entries(const std::vector<Candidate>&
   return found;
 }
 
-Trial Objective::judged(const Eigen::VectorXd& x, const LedgerEntry& entry) const {
+Outcome Objective::judged(const Eigen::VectorXd& x, const LedgerEntry& entry) const {
   if (entry.values.empty()) {
     const double energy = measured_.cwiseQuotient(deviation_).squaredNorm();
     const double lasted = std::clamp(entry.lasted_s / grid_.duration_s, 0.0, 1.0);
@@ -117,11 +131,11 @@ Trial Objective::judged(const Eigen::VectorXd& x, const LedgerEntry& entry) cons
   return {all, all.squaredNorm()};
 }
 
-std::vector<Trial> Objective::trials(const std::vector<Eigen::VectorXd>& some) {
+std::vector<Outcome> Objective::outcomes(const std::vector<Eigen::VectorXd>& some) {
   std::vector<Candidate> candidates;
   for (const Eigen::VectorXd& x : some) candidates.push_back(space_.decode(x));
   const std::vector<const LedgerEntry*> found = entries(candidates);
-  std::vector<Trial> result;
+  std::vector<Outcome> result;
   for (std::size_t i = 0; i < some.size(); ++i) {
     result.push_back(judged(some[i], *found[i]));
     if (asked_.emplace(ledger_key(candidates[i]), true).second)
@@ -137,7 +151,7 @@ std::optional<Eigen::VectorXd> Objective::model(const Eigen::VectorXd& x) {
 }
 
 std::vector<std::optional<Eigen::VectorXd>> Objective::models(const std::vector<Eigen::VectorXd>& some) {
-  trials(some);  // for the record
+  outcomes(some);  // for the record
   std::vector<Candidate> candidates;
   for (const Eigen::VectorXd& x : some) candidates.push_back(space_.decode(x));
   std::vector<std::optional<Eigen::VectorXd>> result;

@@ -62,10 +62,10 @@ class Objective {
  private:
   std::vector<const LedgerEntry*> entries(const std::vector<Candidate>& candidates);
   void simulate_missing(const std::vector<Candidate>& candidates, const std::vector<std::string>& keys);
-  LedgerEntry simulate(const Candidate& candidate) const;
+  std::vector<LedgerEntry> simulate(const std::vector<Candidate>& candidates) const;
   bool usable(const LedgerEntry* entry) const;
-  Trial judged(const Eigen::VectorXd& x, const LedgerEntry& entry) const;
-  std::vector<Trial> trials(const std::vector<Eigen::VectorXd>& some);
+  Outcome judged(const Eigen::VectorXd& x, const LedgerEntry& entry) const;
+  std::vector<Outcome> outcomes(const std::vector<Eigen::VectorXd>& some);
 
   const Trunk& trunk_;
   const TimeGrid& grid_;

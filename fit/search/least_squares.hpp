@@ -8,19 +8,19 @@
 namespace trunk {
 
 /// What one set of coordinates came to.
-struct Trial {
+struct Outcome {
   std::optional<Eigen::VectorXd> residuals;  // none where the model failed
   double objective = 0.0;  // their sum of squares; where the model failed, finite and above any useful value
 };
 
-/// A sum of squares to be made small, within bounds, in coordinates of order one. `trials` is given several
+/// A sum of squares to be made small, within bounds, in coordinates of order one. `outcomes` is given several
 /// points at once so that they can be worked off side by side; what it throws passes through every search.
 struct LeastSquares {
-  std::function<std::vector<Trial>(const std::vector<Eigen::VectorXd>&)> trials;
+  std::function<std::vector<Outcome>(const std::vector<Eigen::VectorXd>&)> outcomes;
   Eigen::VectorXd lower, upper;
 
   Eigen::Index size() const noexcept { return lower.size(); }
-  Trial at(const Eigen::VectorXd& x) const { return trials({x}).front(); }
+  Outcome at(const Eigen::VectorXd& x) const { return outcomes({x}).front(); }
   Eigen::VectorXd inside(const Eigen::VectorXd& x) const { return x.cwiseMax(lower).cwiseMin(upper); }
 };
 

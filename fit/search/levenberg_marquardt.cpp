@@ -37,18 +37,18 @@ struct Fit {
   Eigen::VectorXd inside(const gsl_vector* u) const {
     return middle + half.cwiseProduct(copied(u).array().sin().matrix());
   }
-  Trial at(const Eigen::VectorXd& x) {
-    Trial trial = problem.at(x);
+  Outcome at(const Eigen::VectorXd& x) {
+    Outcome outcome = problem.at(x);
     ++evaluations;
-    if (trial.objective < lowest) {
-      lowest = trial.objective;
+    if (outcome.objective < lowest) {
+      lowest = outcome.objective;
       best = x;
     }
     // A failed simulation is a step too far: large and finite, so that the step is taken back.
-    if (!trial.residuals && rows > 0)
-      trial.residuals =
-          Eigen::VectorXd::Constant(rows, std::sqrt(trial.objective / static_cast<double>(rows)));
-    return trial;
+    if (!outcome.residuals && rows > 0)
+      outcome.residuals =
+          Eigen::VectorXd::Constant(rows, std::sqrt(outcome.objective / static_cast<double>(rows)));
+    return outcome;
   }
 };
 
@@ -65,9 +65,9 @@ int guarded(void* data, Work work) noexcept {
 
 int residuals(const gsl_vector* u, void* data, gsl_vector* f) noexcept {
   return guarded(data, [&](Fit& fit) {
-    const Trial trial = fit.at(fit.inside(u));
+    const Outcome outcome = fit.at(fit.inside(u));
     for (Eigen::Index i = 0; i < fit.rows; ++i)
-      gsl_vector_set(f, static_cast<std::size_t>(i), (*trial.residuals)[i]);
+      gsl_vector_set(f, static_cast<std::size_t>(i), (*outcome.residuals)[i]);
     return static_cast<int>(GSL_SUCCESS);
   });
 }
@@ -127,7 +127,7 @@ SearchResult levenberg_marquardt(const LeastSquares& problem, const Eigen::Vecto
   gsl_set_error_handler_off();
   Fit fit(problem);
   fit.best = problem.inside(start);
-  const Trial first = fit.at(fit.best);
+  const Outcome first = fit.at(fit.best);
   if (!first.residuals) return {false, fit.best, first.objective, "the model fails at the start", 1};
   fit.rows = first.residuals->size();
   if (fit.rows < start.size())

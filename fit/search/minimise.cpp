@@ -50,22 +50,22 @@ struct Call {
   std::exception_ptr error = nullptr;
 
   double value(const Eigen::VectorXd& x, double* gradient) {
-    const Trial trial = problem.at(x);
+    const Outcome outcome = problem.at(x);
     ++evaluations;
-    if (trial.objective < lowest) {
-      lowest = trial.objective;
+    if (outcome.objective < lowest) {
+      lowest = outcome.objective;
       best = x;
     }
-    if (gradient != nullptr) write_gradient(x, trial, gradient);
-    return trial.objective;
+    if (gradient != nullptr) write_gradient(x, outcome, gradient);
+    return outcome.objective;
   }
 
-  void write_gradient(const Eigen::VectorXd& x, const Trial& trial, double* gradient) {
+  void write_gradient(const Eigen::VectorXd& x, const Outcome& outcome, double* gradient) {
     auto out = Eigen::VectorXd::Map(gradient, x.size());
-    const auto j = trial.residuals ? forward_jacobian(problem, x) : std::nullopt;
+    const auto j = outcome.residuals ? forward_jacobian(problem, x) : std::nullopt;
     evaluations += static_cast<int>(x.size());
     if (!j) throw std::runtime_error("the model fails beside a point a gradient is needed at: try bobyqa");
-    out = 2.0 * j->transpose() * *trial.residuals;
+    out = 2.0 * j->transpose() * *outcome.residuals;
   }
 };
 

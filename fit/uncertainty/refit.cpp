@@ -15,10 +15,10 @@ void judge(const LeastSquares& problem, const std::vector<Eigen::VectorXd>& shif
            std::vector<std::optional<Eigen::VectorXd>>& residuals) {
   std::vector<Eigen::VectorXd> points;
   for (const Walker& w : all) points.push_back(w.x);
-  const std::vector<Trial> trials = problem.trials(points);
+  const std::vector<Outcome> outcomes = problem.outcomes(points);
   for (std::size_t i = 0; i < all.size(); ++i) {
-    residuals[i] = trials[i].residuals;
-    double objective = trials[i].objective;
+    residuals[i] = outcomes[i].residuals;
+    double objective = outcomes[i].objective;
     if (residuals[i] && !shift.empty()) {
       residuals[i]->head(shift[i].size()) -= shift[i];
       objective = residuals[i]->squaredNorm();

@@ -73,7 +73,7 @@ double t_quantile(double freedom) {
 
 std::optional<LocalFit> local_fit(Objective& objective, const Eigen::VectorXd& x) {
   const LeastSquares problem = objective.problem();
-  const Trial here = problem.at(x);
+  const Outcome here = problem.at(x);
   const auto rows = jacobian(problem, x);
   if (!here.residuals || !rows) return std::nullopt;
   LocalFit fit;

@@ -26,12 +26,13 @@ struct BreathActivation {
   S fast_fall_s{0.5};
   S slow_fall_s{2.0};
   S fast_fall_level{0.4};
-  double period_s = 0.0;
+  S period_s{0.0};
   std::array<S, ShapeKnots::count> shape = filled(1.0);
 
   S operator()(double time_s) const noexcept {
-    const double in_breath = period_s > 0.0 ? time_s - period_s * std::floor(time_s / period_s) : time_s;
-    const S t = S(in_breath) - onset_s;
+    using std::floor;
+    const S now(time_s), past = period_s * floor(now / period_s);
+    const S t = select(S(0.0) < period_s, now - past, now) - onset_s;
     const S rising = t / rise_s;
     const S falling = S(1.0) - (S(1.0) - fast_fall_level) * (t - rise_s) / fast_fall_s;
     const S end_of_fast = rise_s + fast_fall_s;

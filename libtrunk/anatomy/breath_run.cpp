@@ -1,5 +1,7 @@
 #include "anatomy/breath_run.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -27,16 +29,6 @@ int flipped(std::span<const Triangle> triangles, std::span<const Vec3d> before,
   return static_cast<int>(std::count_if(triangles.begin(), triangles.end(), [&](const Triangle& t) {
     return dot(normal(t, before), normal(t, after)) < 0.0;
   }));
-}
-
-/// A lung of no volume has turned inside out: whatever comes of it is no breath.
-void require_lung(double lowest_volume, Summary& summary) {
-  if (!summary.completed() || lowest_volume > 0.0) return;
-  summary.status = Summary::Status::diverged;
-  summary.message = fmt::format(
-      "the lung lost all of its volume (lowest: {:.0f} ml): the loads or movements are more than this "
-      "model can follow",
-      1e6 * lowest_volume);
 }
 
 }  // namespace
@@ -81,17 +73,25 @@ BreathRun run_breath(const Trunk& trunk, const Scenario& scenario, int frame_eve
 
 VolumeCurve simulate_volume(const Trunk& trunk, const Parameters<double>& parameters,
                             const BreathActivation<double>& activation, const TimeGrid& grid) {
-  const Model& model = trunk.model;
-  const double start_volume = enclosed_volume<double>(model.lung, model.rest);
   VolumeCurve curve;
-  curve.delta_v.reserve(static_cast<std::size_t>(grid.steps()) + 1);
-  curve.summary =
-      simulate(model, parameters, activation, grid,
-               [&](int, double, const State<double>& state, const StepReport<double>&) {
-                 curve.delta_v.push_back(enclosed_volume<double>(model.lung, state.position) - start_volume);
-               });
-  require_lung(start_volume + *std::min_element(curve.delta_v.begin(), curve.delta_v.end()), curve.summary);
+  calc_volume_curves<double>(trunk.model, {{Trial<double>{parameters, activation}}}, grid, {&curve, 1});
   return curve;
+}
+
+std::vector<VolumeCurve> simulate_volumes(const Trunk& trunk, std::span<const Trial<double>> trials,
+                                          const TimeGrid& grid) {
+  constexpr auto lanes = static_cast<std::size_t>(batch_lanes);
+  std::vector<VolumeCurve> curves(trials.size());
+  for (std::size_t first = 0; first < trials.size(); first += lanes) {
+    const std::size_t count = std::min(lanes, trials.size() - first);
+    if (count == 1) {  // alone it is quicker without lanes
+      curves[first] = simulate_volume(trunk, trials[first].parameters, trials[first].activation, grid);
+      continue;
+    }
+    calc_volume_curves<Lanes<lanes>>(trunk.model, trials.subspan(first, count), grid,
+                                     std::span(curves).subspan(first, count));
+  }
+  return curves;
 }
 
 }  // namespace trunk

@@ -4,6 +4,7 @@
 
 #include "anatomy/measures.hpp"
 #include "anatomy/scenario.hpp"
+#include "dynamics/volume_curve.hpp"
 
 namespace trunk {
 
@@ -30,12 +31,16 @@ struct BreathRun {
 /// Simulates one breath and keeps curves, frames and measures. `frame_every` steps; 0 keeps no frames.
 BreathRun run_breath(const Trunk& trunk, const Scenario& scenario, int frame_every);
 
-/// Lung volume above its start at every step, m3: what a fit compares. Kept small: no frames, no measures.
-struct VolumeCurve {
-  Summary summary;
-  std::vector<double> delta_v;  // [steps + 1]
-};
+/// The lung volume alone: no frames, no measures.
 VolumeCurve simulate_volume(const Trunk& trunk, const Parameters<double>& parameters,
                             const BreathActivation<double>& activation, const TimeGrid& grid);
+
+/// How many trials are worked off side by side.
+inline constexpr int batch_lanes = 4;
+
+/// The same for many trials, several at a time in the lanes of a register. Each gives the bits it would
+/// alone.
+std::vector<VolumeCurve> simulate_volumes(const Trunk& trunk, std::span<const Trial<double>> trials,
+                                          const TimeGrid& grid);
 
 }  // namespace trunk

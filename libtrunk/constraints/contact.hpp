@@ -41,27 +41,32 @@ Vec3<S> along(const typename Workspace<S>::Plane& plane, const Vec3<S>& a) noexc
   return a - dot(plane.normal, a) * plane.push;
 }
 
-/// Puts the particles that touch back on their plane. (predicted, contact) => corrected
+/// Puts the particles that touch back on their plane, in the lanes of the mask. (predicted, contact) =>
+/// corrected
 template <Scalar S>
-void project_onto_supports(const Model& model, const State<S>& state, Workspace<S>& w) noexcept {
+void project_onto_supports(const Model& model, const State<S>& state, const Mask<S>& lanes,
+                           Workspace<S>& w) noexcept {
   for (std::size_t s = 0; s < model.supports.size(); ++s) {
     const auto& plane = w.plane[s];
     const auto i = static_cast<std::size_t>(model.supports[s].particle);
     const Vec3<S> x = w.predicted[i];
     const S excess = dot(plane.normal, x) - plane.offset;
-    w.corrected[i] = select(state.contact[s].touching, x - excess * plane.push, x);
+    const Vec3<S> projected = select(state.contact[s].touching, x - excess * plane.push, x);
+    w.corrected[i] = select(lanes, projected, w.corrected[i]);
   }
 }
 
 /// Particles that touch are corrected along their plane only, those that stick not at all.
-/// (free_direction, contact) => direction
+/// In the lanes of the mask. (free_direction, contact) => direction
 template <Scalar S>
-void slide_along_supports(const Model& model, const State<S>& state, Workspace<S>& w) noexcept {
+void slide_along_supports(const Model& model, const State<S>& state, const Mask<S>& lanes,
+                          Workspace<S>& w) noexcept {
   for (std::size_t s = 0; s < model.supports.size(); ++s) {
     const auto& contact = state.contact[s];
     const Vec3<S> d = w.free_direction[s];
     const Vec3<S> slide = select(contact.sticking, Vec3<S>(), along<S>(w.plane[s], d));
-    w.direction[static_cast<std::size_t>(model.supports[s].particle)] = select(contact.touching, slide, d);
+    const auto i = static_cast<std::size_t>(model.supports[s].particle);
+    w.direction[i] = select(lanes, select(contact.touching, slide, d), w.direction[i]);
   }
 }
 
@@ -73,16 +78,18 @@ Vec3<S> unsupported(const Model& model, std::size_t support, const S& multiplier
          multiplier * w.free_direction[support];
 }
 
-/// A particle touches where, corrected as if its support were absent, it would be outside. Returns true in
-/// the lanes where every support keeps its side. (predicted, free_direction) => contact
+/// A particle touches where, corrected as if its support were absent, it would be outside: decided again in
+/// the lanes of the mask. Returns true in the lanes where every support keeps its side. (predicted,
+/// free_direction) => contact
 template <Scalar S>
-Mask<S> update_touching(const Model& model, const S& multiplier, const Workspace<S>& w,
+Mask<S> update_touching(const Model& model, const S& multiplier, const Mask<S>& lanes, const Workspace<S>& w,
                         State<S>& state) noexcept {
   Mask<S> settled = S(0.0) < S(1.0);
   for (std::size_t s = 0; s < model.supports.size(); ++s) {
-    const Mask<S> touching = w.plane[s].offset < dot(w.plane[s].normal, unsupported(model, s, multiplier, w));
-    settled = Mask<S>(settled & (touching == state.contact[s].touching));
-    state.contact[s].touching = touching;
+    const Mask<S> outside = w.plane[s].offset < dot(w.plane[s].normal, unsupported(model, s, multiplier, w));
+    const Mask<S> before = state.contact[s].touching;
+    state.contact[s].touching = select(lanes, outside, before);
+    settled = Mask<S>(settled & (state.contact[s].touching == before));
   }
   return settled;
 }

@@ -78,12 +78,13 @@ S restore_rigid_bodies(const Model& model, const S& target, const S& slope, S mu
 template <Scalar S>
 Projection<S> project_supports(const Model& model, State<S>& state, Workspace<S>& w) noexcept {
   const S none(0.0);
+  const Mask<S> everywhere = S(0.0) < S(1.0);
   if (model.friction > 0.0) apply_friction(model, state, w);
   w.corrected = w.predicted;
-  update_touching(model, none, w, state);
-  project_onto_supports(model, state, w);
+  update_touching(model, none, everywhere, w, state);
+  project_onto_supports(model, state, everywhere, w);
   record_press(model, none, w, state);
-  return {none, S(0.0) < S(1.0)};
+  return {none, everywhere};
 }
 
 }  // namespace detail
@@ -93,8 +94,8 @@ Projection<S> project_supports(const Model& model, State<S>& state, Workspace<S>
 /// is dV/dP over the effective mass, along free axes, at the predicted positions with those that touched at
 /// the last step put back on their plane from either side (our choice). V(x(lambda)) increases with lambda
 /// piece by piece, a cubic each; the search for the right piece starts from the last step's, takes the root
-/// of each piece, and halves the bracket where that leaves it. (predicted, state.contact) => corrected,
-/// state.contact
+/// of each piece, and halves the bracket where that leaves it. A lane that has arrived stays as it is while
+/// others search on: it does what it would do alone. (predicted, state.contact) => corrected, state.contact
 template <Scalar S>
 Projection<S> project_volume_and_supports(const Model& model, const S& target, State<S>& state,
                                           Workspace<S>& w) noexcept {
@@ -102,20 +103,20 @@ Projection<S> project_volume_and_supports(const Model& model, const S& target, S
   const RingTable& rings = model.abdomen.rings;
   if (rings.size() == 0) return detail::project_supports(model, state, w);
   S low(-1e300), high(1e300), multiplier(0.0), slope(1.0);
-  Mask<S> settled = S(1.0) < S(0.0);
+  Mask<S> searching = w.running;
   w.corrected = w.predicted;
-  for (int search = 0; search < max_searches && !all(settled); ++search) {
-    detail::project_onto_supports(model, state, w);
+  for (int search = 0; search < max_searches && any(searching); ++search) {
+    detail::project_onto_supports(model, state, searching, w);
     calc_volume_gradient<S>(rings, w.corrected, w.gradient);
     if (search == 0) {
       detail::calc_direction(model, w);
       if (model.friction > 0.0) {
         detail::apply_friction(model, state, w);
-        detail::project_onto_supports(model, state, w);
+        detail::project_onto_supports(model, state, searching, w);
         calc_volume_gradient<S>(rings, w.corrected, w.gradient);
       }
     }
-    detail::slide_along_supports(model, state, w);
+    detail::slide_along_supports(model, state, searching, w);
     const VolumeCubic<S> cubic = detail::volume_along_direction(rings, w);
     Mask<S> reached = S(1.0) < S(0.0);
     if (search > 0) {
@@ -127,11 +128,13 @@ Projection<S> project_volume_and_supports(const Model& model, const S& target, S
       reached = (excess < round_off) & (-round_off < excess);
     }
     const S root = solve_volume(cubic, target);
-    slope = cubic.slope(root);
+    slope = select(searching, cubic.slope(root), slope);
     const Mask<S> exhausted = detail::bracket_is_point(low, high);
     const Mask<S> accepted = ((low < root) & (root < high)) | exhausted;
-    multiplier = select(reached, multiplier, select(accepted, root, S(0.5) * low + S(0.5) * high));
-    settled = reached | (accepted & (detail::update_touching(model, multiplier, w, state) | exhausted));
+    const S next = select(accepted, root, S(0.5) * low + S(0.5) * high);
+    multiplier = select(Mask<S>(searching & !reached), next, multiplier);
+    const Mask<S> kept = detail::update_touching(model, multiplier, searching, w, state);
+    searching = Mask<S>(searching & !(reached | (accepted & (kept | exhausted))));
   }
   for (int vertex : rings.vertex) {
     const auto i = static_cast<std::size_t>(vertex);
@@ -139,7 +142,7 @@ Projection<S> project_volume_and_supports(const Model& model, const S& target, S
   }
   detail::record_press(model, multiplier, w, state);
   multiplier = detail::restore_rigid_bodies(model, target, slope, multiplier, w);
-  return {multiplier, Mask<S>(finite(multiplier) & settled)};
+  return {multiplier, Mask<S>(finite(multiplier) & !searching)};
 }
 
 }  // namespace trunk

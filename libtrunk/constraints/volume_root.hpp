@@ -28,16 +28,22 @@ S newton_root(const VolumeCubic<S>& cubic, const S& target) noexcept {
   return lambda;
 }
 
-/// The root used by the kernel: Newton's, and the closed form where Newton fails; NaN where there is none.
-template <std::floating_point S>
+/// The root used by the kernel: Newton's, and the closed form in the lanes where Newton fails; NaN where
+/// there is none.
+template <Scalar S>
 S solve_volume(const VolumeCubic<S>& cubic, const S& target) noexcept {
-  const S lambda = newton_root(cubic, target);
-  const S tolerance = S(1e-13) * std::abs(target);
-  if (std::abs(cubic(lambda) - target) <= tolerance) return lambda;
-  const auto as_double = [](S a) { return static_cast<double>(a); };
-  const VolumeCubic<double> values{as_double(cubic.c0), as_double(cubic.c1), as_double(cubic.c2),
-                                   as_double(cubic.c3)};
-  return S(nearest_real_root(values, as_double(target)).value_or(std::nan("")));
+  S lambda = newton_root(cubic, target);
+  const auto size = [](const S& a) { return select(a < S(0.0), -a, a); };
+  const S error = size(cubic(lambda) - target);
+  const Mask<S> missed = Mask<S>((S(1e-13) * size(target) < error) | !finite(error));
+  if (!any(missed)) return lambda;
+  for (int i = 0; i < lanes_of<S>; ++i) {
+    if (!in_lane(missed, i)) continue;
+    const VolumeCubic<double> alone{in_lane(cubic.c0, i), in_lane(cubic.c1, i), in_lane(cubic.c2, i),
+                                    in_lane(cubic.c3, i)};
+    set_lane(lambda, i, nearest_real_root(alone, in_lane(target, i)).value_or(std::nan("")));
+  }
+  return lambda;
 }
 
 }  // namespace trunk

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <fmt/format.h>
-
+#include <algorithm>
+#include <array>
 #include <string>
 
 #include "activation/breath_activation.hpp"
@@ -27,48 +27,69 @@ struct Summary {
   bool completed() const noexcept { return status == Status::completed; }
 };
 
+/// How the simulation of each lane ended.
+template <Scalar S>
+using Summaries = std::array<Summary, static_cast<std::size_t>(lanes_of<S>)>;
+
+/// The summary of a simulation that ended at that step and time, in words.
+Summary ended(Summary::Status status, int step, double time_s);
+
 /// True where every particle is finite and nearer to its rest position than `reach_m`.
 template <Scalar S>
-bool within_reach(const Model& model, const State<S>& state, double reach_m) noexcept {
+Mask<S> within_reach(const Model& model, const State<S>& state, double reach_m) noexcept {
+  Mask<S> within = S(0.0) < S(1.0);
   for (std::size_t i = 0; i < model.particles(); ++i) {
     const Vec3<S> moved = state.position[i] - lift<S>(model.rest[i]);
-    if (!all(dot(moved, moved) < S(reach_m * reach_m))) return false;
+    within = Mask<S>(within & (dot(moved, moved) < S(reach_m * reach_m)));
   }
-  return true;
+  return within;
 }
 
 /// Height of the model at rest, m: a particle that moved farther than this has left the trunk.
 double height(const Model& model);
 
-/// Runs from rest over the grid. `observe(step, activation, state, report)` is called at step 0 and after
-/// each step. Stops early, with the status and time in the Summary, where the volume cannot be held or a
-/// particle moves farther than the trunk is tall.
+/// Runs from rest over the grid, in lockstep. `observe(step, activation, state, report)` is called at step 0
+/// and after each step. A lane ends early, with the status and time in its Summary, where the volume cannot
+/// be held or a particle moves farther than the trunk is tall: what it then still shows means nothing, and
+/// the others do not feel it. Once all lanes have ended nothing more is observed.
 template <Scalar S, class Observer>
-Summary simulate(const Model& model, const Parameters<S>& parameters, const BreathActivation<S>& activation,
-                 const TimeGrid& grid, Observer&& observe) {
+Summaries<S> simulate_lanes(const Model& model, const Parameters<S>& parameters,
+                            const BreathActivation<S>& activation, const TimeGrid& grid, Observer&& observe) {
   constexpr int steps_between_checks = 16;
   State<S> state = rest_state<S>(model);
   Workspace<S> workspace = make_workspace(model, parameters, grid.dt_s);
+  Summaries<S> summaries;
   const double reach_m = height(model);
   const int steps = grid.steps();
 
-  observe(0, activation(0.0), state, StepReport<S>{S(0.0), S(0.0) < S(1.0)});
+  const auto end = [&](Summary::Status status, const Mask<S>& lanes, int n) {
+    const Mask<S> ending = Mask<S>(workspace.running & lanes);
+    if (!any(ending)) return;
+    for (int i = 0; i < lanes_of<S>; ++i)
+      if (in_lane(ending, i)) summaries[static_cast<std::size_t>(i)] = ended(status, n, state.time_s);
+    workspace.running = Mask<S>(workspace.running & !ending);
+  };
+
+  observe(0, activation(0.0), state, StepReport<S>{S(0.0), workspace.running});
   for (int n = 1; n <= steps; ++n) {
     const StepReport<S> report = step(model, parameters, activation(state.time_s), state, workspace);
     state.time_s = n * grid.dt_s;  // no accumulated round-off
-    if (!all(report.ok))
-      return {Summary::Status::volume_lost, n, state.time_s,
-              fmt::format("the abdominal volume could not be held at {:.4f} s: the step is too long or the "
-                          "forces too strong",
-                          state.time_s)};
-    if ((n % steps_between_checks == 0 || n == steps) && !within_reach(model, state, reach_m))
-      return {Summary::Status::diverged, n, state.time_s,
-              fmt::format("a particle moved farther than the trunk is tall before {:.4f} s: the simulation "
-                          "diverged",
-                          state.time_s)};
+    end(Summary::Status::volume_lost, !report.ok, n);
+    if (n % steps_between_checks == 0 || n == steps)
+      end(Summary::Status::diverged, !within_reach(model, state, reach_m), n);
+    if (!any(workspace.running)) return summaries;
     observe(n, activation(state.time_s), state, report);
   }
-  return {Summary::Status::completed, steps, state.time_s, "completed"};
+  end(Summary::Status::completed, workspace.running, steps);
+  return summaries;
+}
+
+/// The same for a single simulation.
+template <Scalar S, class Observer>
+Summary simulate(const Model& model, const Parameters<S>& parameters, const BreathActivation<S>& activation,
+                 const TimeGrid& grid, Observer&& observe) {
+  static_assert(lanes_of<S> == 1);
+  return simulate_lanes(model, parameters, activation, grid, observe)[0];
 }
 
 }  // namespace trunk

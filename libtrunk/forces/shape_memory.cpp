@@ -12,7 +12,7 @@ namespace {
 LocalFrame<double> frame_of(std::span<const int> neighbours, std::span<const Vec3d> position) {
   std::vector<Vec3d> points;
   for (int i : neighbours) points.push_back(position[static_cast<std::size_t>(i)]);
-  return local_frame(std::span<const Vec3d>(points));
+  return local_frame<double>(points);
 }
 
 void require_usable(const Surface& surface) {

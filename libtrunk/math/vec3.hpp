@@ -11,6 +11,15 @@ class Vec3 {
  public:
   constexpr Vec3() noexcept : x_(0.0), y_(0.0), z_(0.0) {}
   constexpr Vec3(const S& x, const S& y, const S& z) noexcept : x_(x), y_(y), z_(z) {}
+  // Copied number by number: g++ 12 copies the whole in pieces of 16 bytes, and reading 32 of them back
+  // waits.
+  constexpr Vec3(const Vec3& a) noexcept : x_(a.x_), y_(a.y_), z_(a.z_) {}
+  constexpr Vec3& operator=(const Vec3& a) noexcept {
+    x_ = a.x_;
+    y_ = a.y_;
+    z_ = a.z_;
+    return *this;
+  }
 
   constexpr S x() const noexcept { return x_; }
   constexpr S y() const noexcept { return y_; }

@@ -12,6 +12,7 @@ namespace trunk {
 template <Scalar S>
 struct Workspace {
   double dt_s = 0.0;
+  Mask<S> running = S(0.0) < S(1.0);  // where it no longer holds, the lane has ended and is not waited for
 
   // (model, parameters, dt) => constant during a run
   std::vector<S> ring_stiffness;          // [rings] N/m

@@ -111,23 +111,7 @@ TEST_CASE("A step allocates nothing", "[property][dynamics]") {
   REQUIRE(allocations() > at_start);  // the counter counts
 
   for (const char* name : {"healthy", "published_healthy"}) {
-    Scenario scenario = shipped(name);
-    scenario.abdominal_volume = PiecewiseLinear({{0.0, 1.0}, {1.0, 1.01}}, 1.0);
-    // Everything a step can meet.
-    scenario.loads = {
-        {RegionLoad::Kind::force, "abdominal_wall", {0, -1, 0}, {}, PiecewiseLinear({{0.0, 1.0}}), "here"},
-        {RegionLoad::Kind::pressure, "abdominal_wall", {}, {}, PiecewiseLinear({{0.0, 100.0}}), "here"},
-        {RegionLoad::Kind::displacement,
-         "pelvis",
-         {0, 0, 1},
-         {0, 0, 1},
-         PiecewiseLinear({{0.0, 0.0}, {1.0, 0.001}}),
-         "here"}};
-    scenario.tissue.membrane_stiffness = 10.0;
-    scenario.tissue.rib_friction = 0.3;
-    RigidPart half{"rib_cage_right", RigidBody::Motion::driven, {}, "", "here"};
-    half.imposed = {{0, 0, 0.5}, {0, -1, 0}, PiecewiseLinear({{0.0, 0.0}, {1.0, 0.02}}), {}, {}};
-    scenario.rigid = {half, {"dome_top_left", RigidBody::Motion::free, {}, "", "here"}};
+    const Scenario scenario = laden(name);
     const Trunk trunk = make_trunk(scenario);
     State<double> state = rest_state<double>(trunk.model);
     Workspace<double> workspace = make_workspace(trunk.model, scenario.parameters, 1e-3);

@@ -15,7 +15,7 @@ std::vector<Vec3d> positions_after(const Scenario& scenario, int steps) {
   const auto& a = scenario.activation;
   const Parameters<S> parameters{S(p.elasticity), S(p.muscle), S(p.damping), S(p.abdomen_factor)};
   const BreathActivation<S> activation{S(a.onset_s),     S(a.rise_s),          S(a.fast_fall_s),
-                                       S(a.slow_fall_s), S(a.fast_fall_level), a.period_s};
+                                       S(a.slow_fall_s), S(a.fast_fall_level), S(a.period_s)};
   const Trunk trunk = make_trunk(scenario);
   std::vector<Vec3d> result;
   const Summary summary =

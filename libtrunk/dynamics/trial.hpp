@@ -1,0 +1,42 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <span>
+
+#include "activation/breath_activation.hpp"
+#include "model/parameters.hpp"
+
+namespace trunk {
+
+/// All in which two simulations of one trunk over one time grid may differ.
+template <Scalar S>
+struct Trial {
+  Parameters<S> parameters;
+  BreathActivation<S> activation;
+};
+
+/// Its numbers, in a fixed order.
+template <Scalar S>
+std::array<S*, 10 + ShapeKnots::count> numbers(Trial<S>& trial) noexcept {
+  auto& [p, a] = trial;
+  std::array<S*, 10 + ShapeKnots::count> all = {
+      &p.elasticity, &p.muscle,      &p.damping,     &p.abdomen_factor,  &a.onset_s,
+      &a.rise_s,     &a.fast_fall_s, &a.slow_fall_s, &a.fast_fall_level, &a.period_s};
+  for (std::size_t k = 0; k < ShapeKnots::count; ++k) all[10 + k] = &a.shape[k];
+  return all;
+}
+
+/// A trial a lane. trials: [1 to lanes_of<S>]; the last one fills the lanes that are left.
+template <Scalar S>
+Trial<S> in_lanes(std::span<const Trial<double>> trials) noexcept {
+  Trial<S> side_by_side;
+  for (int i = 0; i < lanes_of<S>; ++i) {
+    Trial<double> alone = trials[std::min(static_cast<std::size_t>(i), trials.size() - 1)];
+    for (std::size_t n = 0; n < numbers(alone).size(); ++n)
+      set_lane(*numbers(side_by_side)[n], i, *numbers(alone)[n]);
+  }
+  return side_by_side;
+}
+
+}  // namespace trunk

@@ -1,0 +1,190 @@
+#include "math/lanes.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <cstring>
+
+#include "support/allocations.hpp"
+#include "support/trunks.hpp"
+
+using namespace trunk;
+using namespace trunk::test;
+
+namespace {
+
+using Four = Lanes<4>;
+
+/// All that evolves and all that is reported, in one lane.
+template <Scalar S>
+void append_numbers(const State<S>& state, const StepReport<S>& report, int lane,
+                    std::vector<double>& numbers) {
+  const auto append = [&](const Vec3<S>& a) {
+    for (const S& number : {a.x(), a.y(), a.z()}) numbers.push_back(in_lane(number, lane));
+  };
+  for (const Vec3<S>& x : state.position) append(x);
+  for (const Vec3<S>& v : state.velocity) append(v);
+  for (const auto& contact : state.contact) {
+    numbers.push_back(in_lane(contact.touching, lane));
+    numbers.push_back(in_lane(contact.sticking, lane));
+    numbers.push_back(in_lane(contact.press, lane));
+  }
+  for (const auto& body : state.body) {
+    append(body.pose.centre);
+    append(body.pose.rotation.v);
+    append(body.velocity);
+    append(body.angular_momentum);
+  }
+  numbers.push_back(in_lane(report.pressure_Pa, lane));
+  numbers.push_back(in_lane(report.ok, lane));
+}
+
+struct History {
+  Summary summary;
+  std::vector<std::vector<double>> steps;  // until the simulation ended
+};
+
+template <Scalar S>
+std::vector<History> histories(const Model& model, const std::vector<Trial<double>>& trials,
+                               const TimeGrid& grid) {
+  const Trial<S> trial = in_lanes<S>(trials);
+  std::vector<History> result(static_cast<std::size_t>(lanes_of<S>));
+  const auto summaries =
+      simulate_lanes(model, trial.parameters, trial.activation, grid,
+                     [&](int, const S&, const State<S>& state, const StepReport<S>& report) {
+                       for (int lane = 0; lane < lanes_of<S>; ++lane)
+                         append_numbers(state, report, lane, result[at(lane)].steps.emplace_back());
+                     });
+  for (std::size_t lane = 0; lane < result.size(); ++lane) {
+    result[lane].summary = summaries[lane];
+    if (!summaries[lane].completed()) result[lane].steps.resize(at(summaries[lane].steps));
+  }
+  return result;
+}
+
+bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
+}
+
+/// Every lane against the same trial alone, to the bit.
+void check_lanes(const Model& model, const std::vector<Trial<double>>& trials, const TimeGrid& grid) {
+  const auto together = histories<Four>(model, trials, grid);
+  for (std::size_t lane = 0; lane < together.size(); ++lane) {
+    const History alone = histories<double>(model, {trials[lane]}, grid)[0];
+    const History& among_others = together[lane];
+    CAPTURE(lane, alone.summary.message, among_others.summary.message);
+    CHECK(among_others.summary.status == alone.summary.status);
+    CHECK(among_others.summary.steps == alone.summary.steps);
+    CHECK(among_others.summary.time_s == alone.summary.time_s);
+    REQUIRE(among_others.steps.size() == alone.steps.size());
+    std::size_t equal = 0;
+    while (equal < alone.steps.size() && same_bits(among_others.steps[equal], alone.steps[equal])) ++equal;
+    CHECK(equal == alone.steps.size());
+  }
+}
+
+/// Four that differ in everything that may differ.
+std::vector<Trial<double>> four_trials(const Scenario& scenario) {
+  std::vector<Trial<double>> trials(4, {scenario.parameters, scenario.activation});
+  for (std::size_t i = 0; i < trials.size(); ++i)
+    for (double* number : numbers(trials[i])) *number *= 1.0 + 0.07 * static_cast<double>(i);
+  trials[1].activation.onset_s = 0.05;
+  trials[2].activation.period_s = 0.3;
+  return trials;
+}
+
+}  // namespace
+
+TEST_CASE("Every lane does what its trial does alone, to the bit", "[property][dynamics]") {
+  for (const char* name : {"healthy", "published_healthy", "hemiparalysis_right"}) {
+    Scenario scenario = shipped(name);
+    scenario.activation.rise_s = 0.15;  // so that much moves, and supports come and go, in few steps
+    INFO(name);
+    check_lanes(make_trunk(scenario).model, four_trials(scenario), {1e-3, 0.4});
+  }
+  const Scenario scenario = laden("healthy");
+  check_lanes(make_trunk(scenario).model, four_trials(scenario), {1e-3, 0.2});
+}
+
+TEST_CASE("Lanes that fail do not disturb their neighbours", "[property][dynamics]") {
+  const Scenario scenario = shipped("healthy");
+  auto trials = four_trials(scenario);
+  trials[1].parameters.elasticity = 1e6;       // diverges
+  trials[2].parameters.muscle = std::nan("");  // never had a chance
+  trials[3].parameters.elasticity = 1e300;     // overflows
+  const Model model = make_trunk(scenario).model;
+  check_lanes(model, trials, {1e-3, 0.1});
+  const auto together = histories<Four>(model, trials, {1e-3, 0.1});
+  CHECK(together[0].summary.completed());
+  for (std::size_t lane : {1, 2, 3}) CHECK_FALSE(together[lane].summary.completed());
+}
+
+TEST_CASE("When all lanes have failed the simulation stops", "[unit][dynamics]") {
+  const Scenario scenario = shipped("healthy");
+  std::vector<Trial<double>> trials(4, {scenario.parameters, scenario.activation});
+  for (std::size_t i = 0; i < 4; ++i)
+    trials[i].parameters.elasticity = std::pow(10.0, 6.0 + static_cast<double>(i));
+  const Trial<Four> trial = in_lanes<Four>(trials);
+  int last = 0;
+  const auto summaries =
+      simulate_lanes(make_trunk(scenario).model, trial.parameters, trial.activation, {1e-3, 4.5},
+                     [&](int n, const auto&, const auto&, const auto&) { last = n; });
+  int latest = 0;
+  for (const Summary& summary : summaries) latest = std::max(latest, summary.steps);
+  CHECK(last == latest - 1);
+  CHECK(latest < 1000);
+}
+
+TEST_CASE("A step of lanes allocates nothing", "[property][dynamics]") {
+  const Scenario scenario = laden("healthy");
+  const Model model = make_trunk(scenario).model;
+  const Trial<Four> trial = in_lanes<Four>(four_trials(scenario));
+  State<Four> state = rest_state<Four>(model);
+  Workspace<Four> workspace = make_workspace(model, trial.parameters, 1e-3);
+  bool ok = true;
+  const long before = allocations();
+  for (int n = 0; n < 300; ++n)
+    ok = all(step(model, trial.parameters, trial.activation(state.time_s), state, workspace).ok) && ok;
+  const long during = allocations() - before;
+  CHECK(ok);
+  CHECK(during == 0);
+}
+
+TEST_CASE("A batch of any size gives the curves of its trials", "[property][anatomy]") {
+  const Scenario scenario = shipped("hemiparalysis_right");
+  const Trunk trunk = make_trunk(scenario);
+  const TimeGrid grid{1e-3, 0.1};
+  std::vector<Trial<double>> trials;
+  CHECK(simulate_volumes(trunk, trials, grid).empty());
+  for (int i = 0; i < 9; ++i) {
+    trials.push_back({scenario.parameters, scenario.activation});
+    trials.back().parameters.muscle *= 1.0 + i;
+  }
+  trials[6].parameters.elasticity = 1e8;
+  for (const std::size_t count : {1u, 3u, 9u}) {
+    const auto curves = simulate_volumes(trunk, std::span(trials).first(count), grid);
+    REQUIRE(curves.size() == count);
+    for (std::size_t i = 0; i < count; ++i) {
+      CAPTURE(count, i);
+      const VolumeCurve alone = simulate_volume(trunk, trials[i].parameters, trials[i].activation, grid);
+      CHECK(curves[i].summary.message == alone.summary.message);
+      CHECK(curves[i].summary.completed() == (i != 6));
+      CHECK(same_bits(curves[i].delta_v, alone.delta_v));
+    }
+  }
+}
+
+TEST_CASE("Masks of lanes", "[unit][math]") {
+  const Four a(Four::Register{1.0, 2.0, 3.0, std::nan("")}), b(2.5);
+  const auto below = a < b;
+  CHECK((in_lane(below, 0) && in_lane(below, 1) && !in_lane(below, 2) && !in_lane(below, 3)));
+  CHECK((any(below) && !all(below) && all(below | !below) && !any(below & !below)));
+  CHECK(all((below == below)));
+  CHECK_FALSE(any(below == !below));
+  const Four chosen = select(below, a, b), root = sqrt(b), down = floor(a);
+  CHECK((in_lane(chosen, 1) == 2.0 && in_lane(chosen, 3) == 2.5));
+  CHECK((in_lane(root, 3) == std::sqrt(2.5) && in_lane(down, 2) == 3.0));
+  CHECK((in_lane(finite(a), 2) && !in_lane(finite(a), 3)));
+  Four c = a;
+  set_lane(c, 3, 4.0);
+  CHECK((in_lane(c, 3) == 4.0 && in_lane(c, 0) == 1.0));
+}
