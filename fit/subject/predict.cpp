@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "parallel/workers.hpp"
 #include "search/multistart.hpp"
@@ -40,10 +41,46 @@ std::vector<Candidate> candidates_of(const SearchSpace& space, const Estimation&
   return result;
 }
 
-double tidal_volume(const Trunk& trunk, const Candidate& c, const TimeGrid& grid) {
-  const VolumeCurve curve = simulate_volume(trunk, c.parameters, c.activation, grid);
-  if (!curve.summary.completed()) return unknown;
-  return *std::max_element(curve.delta_v.begin(), curve.delta_v.end());
+/// Of several candidates, side by side.
+std::vector<double> tidal_volumes(const Trunk& trunk, std::span<const Candidate> candidates,
+                                  const TimeGrid& grid) {
+  std::vector<double> volumes;
+  for (const VolumeCurve& curve : simulate_volumes(trunk, candidates, grid))
+    volumes.push_back(
+        curve.summary.completed() ? *std::max_element(curve.delta_v.begin(), curve.delta_v.end()) : unknown);
+  return volumes;
+}
+
+struct Place {
+  const Trunk& trunk;
+  const TimeGrid& grid;
+};
+
+/// The tidal volume of every candidate in every place: [places][candidates].
+std::vector<std::vector<double>> all_volumes(const std::vector<Place>& places,
+                                             const std::vector<Candidate>& candidates,
+                                             const Execution& execution) {
+  constexpr std::size_t together = batch_lanes;
+  std::vector<std::size_t> firsts;
+  for (std::size_t i = 0; i < candidates.size(); i += together) firsts.push_back(i);
+  std::vector<std::vector<double>> volumes(places.size(), std::vector<double>(candidates.size(), unknown));
+  const auto cancelled = [&] { return execution.cancelled && execution.cancelled(); };
+  using Part = std::pair<std::size_t, std::vector<std::vector<double>>>;
+  work_off<Part>(
+      firsts, execution.threads, cancelled,
+      [&](std::size_t first) {
+        const auto some = std::span(candidates).subspan(first, std::min(together, candidates.size() - first));
+        Part part{first, {}};
+        for (const Place& s : places) part.second.push_back(tidal_volumes(s.trunk, some, s.grid));
+        return part;
+      },
+      [&](Part part) {
+        for (std::size_t k = 0; k < places.size(); ++k)
+          std::copy(part.second[k].begin(), part.second[k].end(),
+                    volumes[k].begin() + static_cast<std::ptrdiff_t>(part.first));
+      });
+  if (cancelled()) throw Cancelled();
+  return volumes;
 }
 
 Predicted predicted(const std::vector<double>& values) {
@@ -87,31 +124,17 @@ std::vector<Prediction> predict(const SubjectFit& fit, const Estimation& e,
   if (others.empty()) return {};
   const EstimationOptions& options = fit.plan().estimation;
   const std::vector<Candidate> candidates = candidates_of(fit.space(), e, draws, options.search.seed);
-  std::vector<std::size_t> items(candidates.size());
-  for (std::size_t i = 0; i < items.size(); ++i) items[i] = i;
-  std::vector<double> own(items.size());
-  std::vector<std::vector<double>> theirs(others.size(), own);
-  const auto cancelled = [&] { return options.execution.cancelled && options.execution.cancelled(); };
-  using Volumes = std::pair<std::size_t, std::vector<double>>;  // the fit's own, then the others'
-  work_off<Volumes>(
-      items, options.execution.threads, cancelled,
-      [&](std::size_t i) {
-        Volumes v{i, {tidal_volume(fit.trunk(), candidates[i], fit.file().scenario.time)}};
-        for (const OtherScenario& o : others)
-          v.second.push_back(tidal_volume(o.trunk, candidates[i], o.file.scenario.time));
-        return v;
-      },
-      [&](Volumes v) {
-        own[v.first] = v.second[0];
-        for (std::size_t k = 0; k < others.size(); ++k) theirs[k][v.first] = v.second[k + 1];
-      });
-  if (cancelled()) throw Cancelled();
+  std::vector<Place> places = {{fit.trunk(), fit.file().scenario.time}};
+  for (const OtherScenario& o : others) places.push_back({o.trunk, o.file.scenario.time});
+  const auto volumes = all_volumes(places, candidates, options.execution);
 
   std::vector<Prediction> result;
+  const std::vector<double>& own = volumes.front();
   for (std::size_t k = 0; k < others.size(); ++k) {
-    std::vector<double> ratio(items.size());
-    for (std::size_t i = 0; i < items.size(); ++i) ratio[i] = theirs[k][i] / own[i];
-    Prediction p{others[k].file.path, predicted(theirs[k]), predicted(own), predicted(ratio), 0};
+    const std::vector<double>& theirs = volumes[k + 1];
+    std::vector<double> ratio;
+    for (std::size_t i = 0; i < own.size(); ++i) ratio.push_back(theirs[i] / own[i]);
+    Prediction p{others[k].file.path, predicted(theirs), predicted(own), predicted(ratio), 0};
     p.failed = static_cast<int>(std::count_if(p.ratio.draws.begin(), p.ratio.draws.end(),
                                               [](double v) { return !std::isfinite(v); }));
     result.push_back(std::move(p));
