@@ -5,6 +5,8 @@ import io
 import random
 import unittest
 
+import h5py
+
 from support import FAST_FIT, HEALTHY, SCENARIOS, TrunkTest, breaths, csv, trace
 
 PARALYSED = str(SCENARIOS / "hemiparalysis_right.toml")
@@ -43,12 +45,25 @@ class Prediction(TrunkTest):
         width = lambda one: (one["upper95"] - one["lower95"]) / one["value"]
         self.assertLess(width(ratio), 0.5 * width(volume))  # draw by draw: what both breaths share cancels
 
-    def test_widens_with_the_posterior(self):
+    def test_widens_with_the_noise_and_covers_the_truth(self):
+        """The trace is the simulator's own, so that noise is all that is uncertain."""
+        settings = [text for key, value in (("time.dt_ms", 3), ("time.duration_s", 2), ("activation.rise_s", 0.6),
+                                            ("activation.fast_fall_s", 0.2), ("activation.slow_fall_s", 0.7))
+                    for text in ("--set", f"{key}={value}")]
+        self.succeeds("simulate", HEALTHY, "-o", "own.h5", *settings)
+        truth = self.succeeds("simulate", PARALYSED, "-o", "paralysed.h5", *settings)["delta_v_ml"]
+        with h5py.File(self.folder / "own.h5") as run:
+            volume = run["curves/dV_model"][:-1:3]  # every 9 ms
         widths = []
         for deviation in (2, 20):
-            volume = self.predicted(*ONE, text=noisy(deviation))["delta_v_ml"]
-            widths.append(volume["upper95"] - volume["lower95"])
-        self.assertGreater(widths[1], 3 * widths[0])
+            rng = random.Random(1)
+            volumes = [v + rng.gauss(0, deviation) for v in list(volume) * 5]
+            p = self.predicted(*settings, "--timing", "scenario", "--fix", "k_elasticity=4000",
+                               text=csv([0.009 * i for i in range(len(volumes))], volumes))["delta_v_ml"]
+            widths.append(p["upper95"] - p["lower95"])
+            self.assertLess(p["lower95"], truth)
+            self.assertGreater(p["upper95"], truth)
+        self.assertGreater(widths[1], 1.5 * widths[0], widths)
 
     def test_interval_is_that_of_k_muscle_where_nothing_else_is_uncertain(self):
         self.file("t.csv", noisy(10))
@@ -213,7 +228,7 @@ class Cohort(TrunkTest):
         self.assertEqual(self.cohort("--seed", "2", codes=(2,))["failed"], 2)
         self.assertEqual(self.fits(), before)
         self.assertEqual(self.cohort("--force")["found"], 0)
-        self.assertAlmostEqual(float(self.rows()["B"]["tidal_volume_measured_ml"]), 500, delta=5)
+        self.assertAlmostEqual(float(self.rows()["B"]["tidal_volume_measured_ml"]), 500, delta=10)
 
     def test_a_row_is_a_command_line(self):
         times, volumes = breaths()
