@@ -74,8 +74,22 @@ FitPlan plan_of(const FitRequest& request) {
   return plan;
 }
 
-void add_fit_options(CLI::App& command, FitRequest& r) {
+void add_subject_options(CLI::App& command, FitRequest& r) {
   SearchOptions& search = r.plan.estimation.search;
+  command.add_option("--trace", r.trace, "lung volume or flow trace (CSV)");
+  add_signal_options(command, r.signal);
+  command.add_option("--tidal-volume-ml", r.tidal_volume_ml,
+                     "fit k_muscle to this one number instead of a trace");
+  command.add_option(
+      "--breath", r.breath,
+      "mean; each (the mean, then k_muscle breath by breath); the number of one breath [mean]");
+  command
+      .add_option("--predict,--scenario", r.predict,
+                  "another scenario: predicts the subject's tidal volume there; may be repeated")
+      ->take_all()
+      ->allow_extra_args(false);
+  command.add_option("--draws", r.draws, "of the parameters, for the interval of a prediction; 0: none [64]")
+      ->check(CLI::Range(0, 100000));
   command
       .add_option(
           "--free", r.plan.free,
@@ -115,8 +129,6 @@ void add_fit_options(CLI::App& command, FitRequest& r) {
   command.add_flag("--profiles", r.force_profiles, "profiles, however long they take");
   command.add_option("--bootstrap", r.plan.estimation.bootstrap, "repeats of a block bootstrap [0]")
       ->check(CLI::Range(0, 100000));
-  command.add_option("-j,--threads", r.plan.estimation.execution.threads, "threads [one a core]")
-      ->check(CLI::Range(1u, 1024u));
 }
 
 }  // namespace trunk

@@ -10,6 +10,9 @@ namespace trunk {
 /// What `fit` is asked for, as typed.
 struct FitRequest {
   std::string scenario, trace, output, breath = "mean", save_scenario;
+  std::string cohort;                // a list of subjects instead of one trace
+  std::vector<std::string> predict;  // other scenarios
+  int draws = 64;
   double tidal_volume_ml = 0.0;
   SignalOptions signal;
   std::vector<std::string> settings, priors;
@@ -20,7 +23,8 @@ struct FitRequest {
   bool force_profiles = false;
 };
 
-void add_fit_options(CLI::App& command, FitRequest& request);
+/// What may differ from subject to subject: each long name is also a column of a cohort's list.
+void add_subject_options(CLI::App& command, FitRequest& request);
 
 /// The plan in full. Throws InputError on options that make no sense.
 FitPlan plan_of(const FitRequest& request);

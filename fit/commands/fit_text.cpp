@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "commands/outcome_text.hpp"
+#include "subject/record.hpp"
+
 namespace trunk {
 namespace {
 
@@ -131,7 +134,8 @@ Json interval_json(const Estimate& e) {
           {"at_bound", e.at_bound}};
 }
 
-Json fit_json(const SubjectFit& fit, const Estimation& e, std::size_t replayed, double wall_s) {
+Json fit_json(const SubjectFit& fit, const FitOutcome& outcome) {
+  const Estimation& e = outcome.estimation;
   Json json{{"schema", "trunk.fit/1"}, {"status", status_of(e)}};
   json["parameters"] = Json::object();
   if (e.uncertainty) {
@@ -168,16 +172,22 @@ Json fit_json(const SubjectFit& fit, const Estimation& e, std::size_t replayed, 
                            {"agree", e.cross_check->agree}};
   json["evaluations"] = e.evaluations.size();
   json["simulated"] = e.simulated;
-  json["replayed"] = replayed;
+  json["replayed"] = outcome.replayed;
   json["failed_evaluations"] = e.failures;
   const auto& breath = fit.measurement().breath;
   json["breaths_used"] = breath ? breath->breaths_used : 0;
   json["breaths_rejected"] = breath ? breath->breaths_rejected : 0;
-  json["wall_s"] = wall_s;
+  if (!outcome.breaths.empty()) {
+    json["breaths"] = breaths_json(outcome.breaths);
+    json["median_latency_ms"] = 1e3 * median_latency_s(outcome.breaths);
+  }
+  if (!outcome.predictions.empty()) json["predictions"] = predictions_json(outcome.predictions);
+  json["wall_s"] = outcome.wall_s;
   return json;
 }
 
-std::string fit_table(const SubjectFit& fit, const Estimation& e, std::size_t replayed) {
+std::string fit_table(const SubjectFit& fit, const FitOutcome& outcome) {
+  const Estimation& e = outcome.estimation;
   std::string text;
   if (const auto& breath = fit.measurement().breath)
     text += fmt::format("{} breaths used, {} rejected; tidal volume {:.0f} ml, {:.2f} s a breath\n",
@@ -202,11 +212,12 @@ std::string fit_table(const SubjectFit& fit, const Estimation& e, std::size_t re
     text +=
         fmt::format("  {} and {} {} ({:.2g} % apart)\n", e.cross_check->first, e.cross_check->second,
                     e.cross_check->agree ? "agree" : "DISAGREE", 100.0 * e.cross_check->largest_difference);
-  text += fmt::format(
-      "  {} evaluations{}, {} failed; {}\n", e.evaluations.size(),
-      replayed > 0 ? fmt::format(" ({} found from an interrupted run)", e.evaluations.size() - e.simulated)
-                   : "",
-      e.failures, e.search.stop_reason);
+  text += fmt::format("  {} evaluations{}, {} failed; {}\n", e.evaluations.size(),
+                      outcome.replayed > 0 ? fmt::format(" ({} found from an interrupted run)",
+                                                         e.evaluations.size() - e.simulated)
+                                           : "",
+                      e.failures, e.search.stop_reason);
+  text += breaths_table(outcome.breaths) + predictions_table(outcome.predictions);
   return text + (e.uncertainty ? e.uncertainty->verdict : "The search did not converge.");
 }
 

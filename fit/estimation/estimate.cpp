@@ -104,7 +104,7 @@ class Fitting {
       adopt(levenberg_marquardt(problem_, coarse_best, finisher()));
     }
     const Indices some = mechanical(space_);
-    if (some.empty() || objective_.target().is_tidal_volume()) return;
+    if (!options_.cross_check || some.empty() || objective_.target().is_tidal_volume()) return;
     SearchOptions options = options_.search;
     options.algorithm = result_.algorithm == "lm" ? "bobyqa" : result_.algorithm;
     options.first_step = 0.05;

@@ -15,6 +15,7 @@ struct EstimationOptions {
   SearchOptions search{.algorithm = ""};  // algorithm empty: bobyqa for up to 4 parameters, else lm
   int starts = 1;                         // the scenario's own, the others spread over the bounds (Sobol)
   Loss loss = Loss::squares;
+  bool cross_check = true;  // a second search by another method
   bool profiles = true;
   int surface_points = 11;  // along each of two parameters; 0: no surface
   int bootstrap = 0;        // repeats

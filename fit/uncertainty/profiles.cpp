@@ -77,16 +77,17 @@ std::vector<Profile> profiles(Objective& objective, const LocalFit& fit, int poi
   const Natural natural_of(space);
   const Eigen::MatrixXd unit = natural_of.of(fit.unit_covariance), corrected = natural_of.of(fit.covariance);
   const double lowest = problem.at(fit.x).objective, quantile = t_quantile(fit.noise.freedom);
-  const Eigen::VectorXd best = natural_of.to_values * fit.x;
+  const Candidate candidate = space.decode(fit.x);
 
   std::vector<Profile> result;
   for (Eigen::Index i = 0; i < static_cast<Eigen::Index>(space.asked_for()); ++i) {
     const FreeParameter& p = space.parameter(static_cast<std::size_t>(i));
-    const std::vector<double> y = places(p, best[i], quantile * std::sqrt(corrected(i, i)), points);
+    const double best = natural_coordinate(p.scale, value_of(p, candidate));
+    const std::vector<double> y = places(p, best, quantile * std::sqrt(corrected(i, i)), points);
     std::vector<Eigen::VectorXd> starts;
     for (const double at : y) {
       const Eigen::VectorXd moved =
-          unit.col(i) * ((at - best[i]) / unit(i, i));  // the others follow, to first order
+          unit.col(i) * ((at - best) / unit(i, i));  // the others follow, to first order
       starts.push_back(fit.x + natural_of.to_coordinates * moved);
     }
     const std::vector<Refit> fits = refits(problem, fit, natural_of.others(i), starts);

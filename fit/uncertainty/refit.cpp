@@ -35,8 +35,11 @@ void judge(const LeastSquares& problem, const std::vector<Eigen::VectorXd>& shif
 std::vector<Refit> refits(const LeastSquares& problem, const LocalFit& fit, const Eigen::MatrixXd& directions,
                           const std::vector<Eigen::VectorXd>& starts,
                           const std::vector<Eigen::VectorXd>& shift, int steps) {
-  const Eigen::MatrixXd rows = fit.rows * directions;
-  const Eigen::MatrixXd step_of = -directions * rows.completeOrthogonalDecomposition().pseudoInverse();
+  Eigen::MatrixXd step_of;
+  if (directions.cols() > 0) {  // Eigen 3.4 crashes on a matrix without columns
+    const Eigen::MatrixXd rows = fit.rows * directions;
+    step_of = -directions * rows.completeOrthogonalDecomposition().pseudoInverse();
+  }
   std::vector<Walker> all;
   for (const Eigen::VectorXd& start : starts) {
     const Eigen::VectorXd x = problem.inside(start);

@@ -38,7 +38,8 @@ struct BreathActivation {
     const S end_of_fast = rise_s + fast_fall_s;
     const S settling = fast_fall_level * (S(1.0) - (t - end_of_fast) / slow_fall_s);
     const S line = select(t < rise_s, rising, select(t < end_of_fast, falling, settling));
-    return select(S(0.0) < line, line, S(0.0)) + bend(t);
+    const S bent = select(S(0.0) < line, line, S(0.0)) + bend(t);
+    return select(S(0.0) < bent, bent, S(0.0));  // round-off
   }
 
  private:

@@ -16,11 +16,11 @@ using Kind = RegionLoad::Kind;
 
 namespace {
 
-std::string load(const std::string& type, const std::string& applied_to, const std::string& direction,
+std::string load(const std::string& type, const std::string& applied_to, const std::string& towards,
                  const std::string& unit = "",
                  const std::string& events = "<valueEvent date='0' value='1'/>") {
   return "<load xsi:type='" + type + "'><appliedTo>" + applied_to + "</appliedTo>" + events + "<direction " +
-         direction + "/>" + (unit.empty() ? "" : "<unit>" + unit + "</unit>") + "</load>\n";
+         towards + "/>" + (unit.empty() ? "" : "<unit>" + unit + "</unit>") + "</load>\n";
 }
 
 /// The first load is on line 2.

@@ -174,7 +174,24 @@ void write_breaths(hid_t root, const FitRecord& fit) {
   const Axis one =
       write_count_axis(breaths, {"fitted_breath", "1", "fitted breath"}, fit.breaths.front().values.size());
   for (const NamedColumn& c : fit.breaths)
-    write_array(breaths, {c.name, layout::file_unit(c.unit), c.name}, c.values, {one});
+    if (!layout::is_reproducible() || !layout::is_clock_time(c.name))
+      write_array(breaths, {c.name, layout::file_unit(c.unit), c.name}, c.values, {one});
+  write_array(breaths, {"status", "", "outcome of the fit of this breath"}, fit.breath_status, {one});
+}
+
+void write_predictions(hid_t root, const FitRecord& fit) {
+  if (fit.predictions.empty()) return;
+  const Group predictions = create_group(root, "predictions");
+  for (const FitRecord::Prediction& p : fit.predictions) {
+    const Group one = create_group(predictions, p.name);
+    hdf5::write_attribute(one, "scenario", p.scenario);
+    layout::write_numbers(one, p.numbers);
+    if (p.delta_v_m3.empty()) continue;
+    const Axis draw = write_count_axis(one, {"draw", "1", "draw of the parameters"}, p.delta_v_m3.size());
+    write_array(one, {"delta_v_draws", "ml", "tidal volume"}, layout::to_ml(p.delta_v_m3), {draw});
+    write_array(one, {"own_delta_v_draws", "ml", "tidal volume in the scenario of the fit, same draw"},
+                layout::to_ml(p.own_delta_v_m3), {draw});
+  }
 }
 
 /// Same program, same call: its provenance is the fit's.
@@ -199,6 +216,7 @@ void write_fit(const std::filesystem::path& path, const FitRecord& fit) {
     write_profiles(root, fit);
     write_surface(root, fit);
     write_breaths(root, fit);
+    write_predictions(root, fit);
     write_result(root, fit);
     layout::write_provenance(root, fit.provenance);
     write_best_run(root, fit);

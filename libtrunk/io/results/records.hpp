@@ -101,6 +101,12 @@ struct FitRecord {
     std::vector<double> deviance;  ///< [n*n], the second axis fastest
     double threshold95 = 0;
   };
+  /// What the fit makes of another scenario.
+  struct Prediction {
+    std::string name, scenario;                      ///< short; the file
+    std::vector<NamedValue> numbers;                 ///< volumes and their ratio, with intervals
+    std::vector<double> delta_v_m3, own_delta_v_m3;  ///< [D] draws of the parameters; NaN where one failed
+  };
 
   std::string title, status, message;
   std::string scenario_toml;  ///< verbatim
@@ -124,6 +130,8 @@ struct FitRecord {
   std::vector<Profile> profiles;                              //
   Surface surface;                                            //
   std::vector<NamedColumn> breaths;                           ///< a fit a breath: columns [B]; or empty
+  std::vector<std::string> breath_status;                     ///< [B]
+  std::vector<Prediction> predictions;                        //
   RunRecord best_run;                                         ///< its provenance is the fit's
   Provenance provenance;
 };
