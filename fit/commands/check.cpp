@@ -1,24 +1,19 @@
 #include <fmt/format.h>
 
-#include <charconv>
 #include <optional>
 
 #include "breaths/mean_breath.hpp"
+#include "commands/check_fit.hpp"
 #include "commands/commands.hpp"
-#include "commands/trace_options.hpp"
 #include "dynamics/stability.hpp"
-#include "errors/input_error.hpp"
 #include "io/scenario_file.hpp"
 #include "io/scenario_keys.hpp"
-#include "problem/free_parameters.hpp"
 
 namespace trunk {
 namespace {
 
 struct CheckRequest {
-  std::string scenario, trace;
-  std::vector<std::string> settings, free, fixed;
-  SignalOptions signal;
+  FitRequest fit;  // of which a check looks at all but the search
   bool keys = false;
 };
 
@@ -63,17 +58,17 @@ Json keys_json() {
 
 std::optional<ScenarioFile> check_scenario(const CheckRequest& request, Findings& findings) {
   std::optional<ScenarioFile> file;
-  findings.mistakes.gather([&] { file = read_scenario(request.scenario, request.settings); });
+  findings.mistakes.gather([&] { file = read_scenario(request.fit.scenario, request.fit.settings); });
   if (!file) return file;
   findings.mistakes.gather([&] {
     const Trunk trunk = build_trunk(*file);
     const double bound_s = stable_time_step(trunk.model, file->scenario.parameters);
-    findings.json["scenario"] = request.scenario;
+    findings.json["scenario"] = request.fit.scenario;
     findings.json["particles"] = trunk.model.particles();
     findings.json["steps"] = file->scenario.time.steps();
     findings.json["stable_dt_s"] = json_number(bound_s);
     findings.text += fmt::format("{}: good. {} particles, {} steps of {:g} ms (stable below {:.3g} ms)\n",
-                                 request.scenario, trunk.model.particles(), file->scenario.time.steps(),
+                                 request.fit.scenario, trunk.model.particles(), file->scenario.time.steps(),
                                  1e3 * file->scenario.time.dt_s, 1e3 * bound_s);
   });
   return file;
@@ -98,85 +93,32 @@ void note_doubts(const MeasuredBreath& breath, const Trace& trace, std::vector<s
         fmt::format("{:.1f} samples an inspiration: too few for its timing", breath.inspiration_s / step_s));
 }
 
-void check_trace(const CheckRequest& request, Findings& findings) {
+std::optional<MeasuredBreath> check_trace(const CheckRequest& request, Findings& findings) {
+  std::optional<MeasuredBreath> measured;
   findings.mistakes.gather([&] {
-    const Trace trace = read_signal(request.trace, request.signal);
+    const Trace trace = read_signal(request.fit.trace, request.fit.signal);
     const Segmentation segmentation = segment_breaths(trace);
     const MeasuredBreath breath = mean_breath(segmentation);
     findings.notes.insert(findings.notes.end(), segmentation.notes.begin(), segmentation.notes.end());
     note_doubts(breath, trace, findings.notes);
     findings.json["breaths_used"] = breath.breaths_used;
-    findings.text += fmt::format("{}: good. {} breaths used, {} rejected, {:.2f} s a breath", request.trace,
-                                 breath.breaths_used, breath.breaths_rejected, breath.duration_s);
+    findings.text +=
+        fmt::format("{}: good. {} breaths used, {} rejected, {:.2f} s a breath", request.fit.trace,
+                    breath.breaths_used, breath.breaths_rejected, breath.duration_s);
     if (trace.kind != SignalKind::belt) {
       findings.json["tidal_volume_ml"] = 1e6 * breath.tidal_volume_m3;
       findings.text += fmt::format(", tidal volume {:.0f} ml", 1e6 * breath.tidal_volume_m3);
     }
     findings.text += "\n";
+    measured = breath;
   });
-}
-
-/// --fix name=value or name=@file.h5, as fit takes it. Returns the name.
-std::string check_fixed(const std::string& text) {
-  const auto equals = text.find('=');
-  if (equals == std::string::npos)
-    throw InputError("--fix " + text +
-                     ": expected name=value or name=@file.h5, as in --fix k_elasticity=4000");
-  const std::string name = text.substr(0, equals), value = text.substr(equals + 1);
-  const FreeParameter& p = free_parameter(name);
-  if (value.starts_with('@')) {
-    std::error_code ignored;
-    if (!std::filesystem::is_regular_file(value.substr(1), ignored))
-      throw InputError("--fix " + text + ": no such file, expected the result of a fit");
-    return name;
-  }
-  double number = 0.0;
-  const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), number);
-  if (error != std::errc() || end != value.data() + value.size() || !(number >= p.lower && number <= p.upper))
-    throw InputError(fmt::format("--fix {}: expected {:g} to {:g} {}", text, p.lower, p.upper, p.unit));
-  return name;
-}
-
-/// Whether fitting this parameter from this scenario makes sense.
-void check_free(const std::string& name, const ScenarioFile& file) {
-  const FreeParameter& p = free_parameter(name);
-  Candidate start{file.scenario.parameters, file.scenario.activation};
-  const std::string key(p.scenario_key);
-  if (const double value = p.field(start); !(value >= p.lower && value <= p.upper))
-    throw InputError(fmt::format("{}: {} starts a fit at {:g} {}, expected {:g} to {:g}", file.where(key),
-                                 p.name, value, p.unit, p.lower, p.upper));
-  if (name == "k_muscle" && file.scenario.tissue.paralysed == Side::both)
-    throw InputError(
-        fmt::format("{}: k_muscle has no effect where both sides are paralysed, expected it fixed",
-                    file.where("paralysis.side")));
-}
-
-void check_fit(const CheckRequest& request, const std::optional<ScenarioFile>& file, Findings& findings) {
-  Mistakes& mistakes = findings.mistakes;
-  std::vector<std::string> fixed, free = request.free;
-  for (const std::string& text : request.fixed) mistakes.gather([&] { fixed.push_back(check_fixed(text)); });
-  const auto is_fixed = [&](const std::string& name) {
-    return std::count(fixed.begin(), fixed.end(), name) > 0;
-  };
-  if (free.empty()) {
-    free = {"k_elasticity", "k_muscle"};  // as fit does
-    std::erase_if(free, is_fixed);
-    if (free.empty())
-      mistakes.add("no parameter is free, expected at least one: --free k_elasticity,k_muscle");
-  }
-  for (const std::string& name : free) {
-    if (is_fixed(name))
-      mistakes.add("parameter '" + name + "' is both free and fixed, expected one of the two");
-    if (std::count(free.begin(), free.end(), name) > 1)
-      mistakes.add("parameter '" + name + "' is named twice");
-    mistakes.gather([&] { file ? check_free(name, *file) : void(free_parameter(name)); });
-  }
+  return measured;
 }
 
 /// The file of a mistake that names no line is known by its name at the front.
 Json problem_json(const std::string& text, const CheckRequest& request) {
   Mistake mistake = mistake_of(text);
-  for (const std::string& name : {request.scenario, request.trace})
+  for (const std::string& name : {request.fit.scenario, request.fit.trace})
     if (mistake.file.empty() && !name.empty() && text.starts_with(name + ": "))
       mistake = {name, 0, text.substr(name.size() + 2)};
   return {{"file", mistake.file.empty() ? Json(nullptr) : Json(mistake.file)},
@@ -208,13 +150,16 @@ Exit check_command(const Common& common, const CheckRequest& request) {
       print_keys();
     return Exit::done;
   }
-  if (request.scenario.empty() && request.trace.empty()) throw CLI::RequiredError("SCENARIO or --trace");
+  if (request.fit.scenario.empty() && request.fit.trace.empty())
+    throw CLI::RequiredError("SCENARIO or --trace");
+  const FitRequest& fit = request.fit;
   Findings findings;
   std::optional<ScenarioFile> file;
-  if (!request.scenario.empty()) file = check_scenario(request, findings);
-  if (!request.trace.empty()) check_trace(request, findings);
-  if (!request.trace.empty() || !request.free.empty() || !request.fixed.empty())
-    check_fit(request, file, findings);
+  std::optional<MeasuredBreath> breath;
+  if (!fit.scenario.empty()) file = check_scenario(request, findings);
+  if (!fit.trace.empty()) breath = check_trace(request, findings);
+  if (!fit.trace.empty() || !fit.plan.free.empty() || !fit.plan.fixed.empty() || !fit.priors.empty())
+    check_fit(fit, file, breath, findings.mistakes);
   return print_findings(common, request, findings);
 }
 
@@ -224,15 +169,11 @@ void add_check(CLI::App& app, Common& common, Run& run) {
   auto* command =
       app.add_subcommand("check", "List all mistakes in a scenario and a trace; simulate nothing");
   const auto request = std::make_shared<CheckRequest>();
-  command->add_option("SCENARIO", request->scenario, "scenario file (TOML)");
-  command->add_option("--trace", request->trace,
+  command->add_option("SCENARIO", request->fit.scenario, "scenario file (TOML)");
+  command->add_option("--trace", request->fit.trace,
                       "trace of volume, flow or belt (text table, MATLAB, EDF, BDF)");
-  command->add_option("--set", request->settings, "key=value, over the scenario; may be repeated")
-      ->take_all();
-  command->add_option("--free", request->free, "parameters that a fit is to find, comma separated")
-      ->delimiter(',');
-  command->add_option("--fix", request->fixed, "name=value or name=@fit.h5; may be repeated")->take_all();
-  add_signal_options(*command, request->signal);
+  add_fit_options(*command, request->fit);
+  add_signal_options(*command, request->fit.signal);
   command->add_flag("--keys", request->keys, "list all keys of a scenario with units, limits and defaults");
   command->add_flag("--json", common.json, "print one JSON object");
   command->callback(

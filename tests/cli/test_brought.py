@@ -85,7 +85,7 @@ class AllAtOnce(TrunkTest):
         command = ("check", "s.toml", "--trace", "t.csv", "--free", "k_muscle,beauty", "--fix", "k_muscle=3")
         expected = (r"s.toml:1: title is 3", r"s.toml:3: time.dt_ms is 0", r"s.toml:6: tissue.ribs is .*yes",
                     r"t.csv:1: no time column", r"t.csv:1: no volume or flow column",
-                    "parameter 'k_muscle' is both free and fixed", "there is no parameter 'beauty'")
+                    "there is no parameter 'beauty'", "parameter 'k_muscle' is both free and fixed")
         outcome = self.trunk(*command)
         self.assertEqual((outcome.code, outcome.out), (2, ""), str(outcome))
         self.assertEqual(len(outcome.err.splitlines()), len(expected), str(outcome))
@@ -109,6 +109,8 @@ class AllAtOnce(TrunkTest):
                               (("--fix", "k_muscle=@none.h5"), "--fix k_muscle=@none.h5: no such file"),
                               (("--fix", "k_muscle"), "--fix k_muscle: expected name=value"),
                               (("--fix", "k_muscle=30", "--fix", "k_elasticity=4000"), "no parameter is free"),
+                              (("--set", "activation.rise_s=1"), "--set activation.rise_s=1: the timing is taken from the trace"),
+                              (("--prior", "k_muscle=1e9:2"), "k_muscle"),
                               (("--set", "paralysis.side=both"), "--set paralysis.side=both: k_muscle has no effect"),
                               (("--set", "parameters.k_elasticity_N_per_m=100"), "k_elasticity starts a fit at 100 N/m, expected 400")):
             with self.subTest(options):
