@@ -14,7 +14,7 @@ from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 SCENARIOS = HERE.parents[1] / "scenarios"
-RATE_HZ, BREATHS, NOISE_ML = 25, 6, 2.0
+RATE_HZ, BREATHS, NOISE_ML = 25, 6, 5.0
 
 
 def breath(trunk, settings, duration_s):
