@@ -107,7 +107,12 @@ FitOutcome FitJob::carry_out() {
   if (outcome.replayed > 0)
     listener_.note(fmt::format("goes on from {} simulations of an interrupted run", outcome.replayed));
   Estimation& e = outcome.estimation;
-  e = fit_->carry_out(*ledger_);
+  try {
+    e = fit_->carry_out(*ledger_);
+  } catch (const InputError&) {
+    if (outcome.replayed == 0) ledger_->discard();  // an option that makes no sense leaves nothing behind
+    throw;
+  }
   if (e.model.size() == 0) {
     ledger_->discard();
     throw std::runtime_error("no simulation completed (" + e.search.stop_reason + "): nothing written");
