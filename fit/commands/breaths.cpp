@@ -38,7 +38,8 @@ Exit breaths_command(const Common& common, const BreathsRequest& request) {
 void add_breaths(CLI::App& app, Common& common, Run& run) {
   auto* command = app.add_subcommand("breaths", "Show what segmentation makes of a trace");
   const auto request = std::make_shared<BreathsRequest>();
-  command->add_option("TRACE", request->trace, "lung volume or flow trace (CSV)")->required();
+  command->add_option("TRACE", request->trace, "trace of volume, flow or belt (text table, MATLAB, EDF, BDF)")
+      ->required();
   add_signal_options(*command, request->signal);
   add_breath_options(*command, request->selection);
   command->add_option("--csv", request->csv, "also write the breaths as a table");

@@ -93,11 +93,10 @@ void note_doubts(const MeasuredBreath& breath, const Trace& trace, std::vector<s
         fmt::format("{:.1f} samples an inspiration: too few for its timing", breath.inspiration_s / step_s));
 }
 
-std::optional<MeasuredBreath> check_trace(const CheckRequest& request, Findings& findings) {
-  std::optional<MeasuredBreath> measured;
+void check_trace(const CheckRequest& request, Findings& findings) {
   findings.mistakes.gather([&] {
     const Trace trace = read_signal(request.fit.trace, request.fit.signal);
-    const Segmentation segmentation = segment_breaths(trace);
+    const Segmentation segmentation = segment_breaths(trace, request.fit.selection);
     const MeasuredBreath breath = mean_breath(segmentation);
     findings.notes.insert(findings.notes.end(), segmentation.notes.begin(), segmentation.notes.end());
     note_doubts(breath, trace, findings.notes);
@@ -110,9 +109,7 @@ std::optional<MeasuredBreath> check_trace(const CheckRequest& request, Findings&
       findings.text += fmt::format(", tidal volume {:.0f} ml", 1e6 * breath.tidal_volume_m3);
     }
     findings.text += "\n";
-    measured = breath;
   });
-  return measured;
 }
 
 /// The file of a mistake that names no line is known by its name at the front.
@@ -155,11 +152,9 @@ Exit check_command(const Common& common, const CheckRequest& request) {
   const FitRequest& fit = request.fit;
   Findings findings;
   std::optional<ScenarioFile> file;
-  std::optional<MeasuredBreath> breath;
   if (!fit.scenario.empty()) file = check_scenario(request, findings);
-  if (!fit.trace.empty()) breath = check_trace(request, findings);
-  if (!fit.trace.empty() || !fit.plan.free.empty() || !fit.plan.fixed.empty() || !fit.priors.empty())
-    check_fit(fit, file, breath, findings.mistakes);
+  if (!fit.trace.empty()) check_trace(request, findings);
+  check_fit(fit, file, findings.mistakes);
   return print_findings(common, request, findings);
 }
 
@@ -170,10 +165,7 @@ void add_check(CLI::App& app, Common& common, Run& run) {
       app.add_subcommand("check", "List all mistakes in a scenario and a trace; simulate nothing");
   const auto request = std::make_shared<CheckRequest>();
   command->add_option("SCENARIO", request->fit.scenario, "scenario file (TOML)");
-  command->add_option("--trace", request->fit.trace,
-                      "trace of volume, flow or belt (text table, MATLAB, EDF, BDF)");
-  add_fit_options(*command, request->fit);
-  add_signal_options(*command, request->fit.signal);
+  add_subject_options(*command, request->fit);
   command->add_flag("--keys", request->keys, "list all keys of a scenario with units, limits and defaults");
   command->add_flag("--json", common.json, "print one JSON object");
   command->callback(

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <charconv>
 
+#include "commands/fit_job.hpp"
+
 namespace trunk {
 namespace {
 
@@ -61,7 +63,7 @@ std::vector<std::string> check_names(const FitPlan& plan, Mistakes& mistakes) {
       mistakes.add("parameter '" + name + "' is named twice");
   }
   if (!plan.free.empty()) return free;
-  free = {"k_elasticity", "k_muscle"};  // as fit does
+  free = {"k_elasticity", "k_muscle"};  // as fit does from a trace
   std::erase_if(free, is_fixed);
   if (free.empty()) mistakes.add("no parameter is free, expected at least one: --free k_elasticity,k_muscle");
   return free;
@@ -69,14 +71,15 @@ std::vector<std::string> check_names(const FitPlan& plan, Mistakes& mistakes) {
 
 }  // namespace
 
-void check_fit(const FitRequest& request, const std::optional<ScenarioFile>& file,
-               const std::optional<MeasuredBreath>& breath, Mistakes& mistakes) {
-  FitPlan plan;
-  mistakes.gather([&] { plan = plan_of(request); });
-  for (const std::string& name : check_names(request.plan, mistakes))
+void check_fit(const FitRequest& request, const std::optional<ScenarioFile>& file, Mistakes& mistakes) {
+  const bool measured = !request.trace.empty() || request.tidal_volume_ml != 0.0;
+  const FitPlan& plan = request.plan;
+  if (!measured && plan.free.empty() && plan.fixed.empty() && request.priors.empty()) return;  // no fit meant
+  mistakes.gather([&] { plan_of(request); });
+  for (const std::string& name : check_names(plan, mistakes))
     if (file) mistakes.gather([&] { check_free(name, *file); });
   // What is left only shows when the fit is set up.
-  if (mistakes.empty() && file && breath) mistakes.gather([&] { SubjectFit(*file, {breath, 0.0}, plan); });
+  if (mistakes.empty() && file && measured) mistakes.gather([&] { FitJob(request, {}, {}); });
 }
 
 }  // namespace trunk

@@ -75,7 +75,7 @@ Measurement FitJob::measured() {
     if (request_.breath == "each") throw InputError("--breath each: expected a trace with breaths");
     return {std::nullopt, 1e-6 * request_.tidal_volume_ml};
   }
-  Segmentation s = segment_breaths(read_signal(request_.trace, request_.signal));
+  Segmentation s = segment_breaths(read_signal(request_.trace, request_.signal), request_.selection);
   notes_ = s.notes;
   Measurement measurement{chosen_breath(s, request_.breath, notes_), 0.0};
   if (request_.breath == "each") each_ = std::move(s);

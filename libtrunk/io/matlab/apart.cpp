@@ -20,7 +20,7 @@ void limit(__rlimit_resource resource, rlim_t most) {
 
 void bound_resources() {
   limit(RLIMIT_CORE, 0);
-  limit(RLIMIT_CPU, 60);
+  limit(RLIMIT_CPU, 15);
 #ifndef __SANITIZE_ADDRESS__
   limit(RLIMIT_AS, rlim_t{4} << 30);
 #endif
