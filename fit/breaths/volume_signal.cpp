@@ -33,7 +33,7 @@ void check_varies(const Trace& trace) {
 }
 
 // Samples crowd at an extreme: near it there are hardly fewer than in a range four times as wide, where a
-// smooth top leaves half and a sharp one a quarter (our choice: three quarters of them, of 1 % of all). What
+// smooth top leaves half and a sharp one a quarter (our choice: two thirds of them, 1 % of all). What
 // is there at a jump, as a ventilator's constant flow, is not cut off.
 std::string saturation(const Trace& trace, double extreme, double range, const std::string& which) {
   const auto within = [&](std::size_t i, double distance) {
@@ -41,14 +41,14 @@ std::string saturation(const Trace& trace, double extreme, double range, const s
   };
   double near = 0, wide = 0, jumps = 0, entries = 0;
   for (std::size_t i = 0; i < trace.value.size(); ++i) {
-    near += within(i, 0.005) ? 1 : 0;
-    wide += within(i, 0.02) ? 1 : 0;
-    if (i == 0 || !within(i, 0.005) || within(i - 1, 0.005)) continue;
+    near += within(i, 0.01) ? 1 : 0;
+    wide += within(i, 0.04) ? 1 : 0;
+    if (i == 0 || !within(i, 0.01) || within(i - 1, 0.01)) continue;
     ++entries;
-    jumps += within(i - 1, 0.2) ? 0 : 1;
+    jumps += i == 1 || within(i - 2, 0.2) ? 0 : 1;
   }
   const double part = near / static_cast<double>(trace.value.size());
-  if (near < 5 || part < 0.01 || near < 0.75 * wide || jumps > 0.5 * entries) return "";
+  if (near < 5 || part < 0.01 || near < 0.65 * wide || jumps > 0.5 * entries) return "";
   return number_text(100 * part, 2) + " % of the samples lie at the " + which + " value, " +
          value_text(trace, extreme) + ": clipped, or held there";
 }

@@ -1,5 +1,7 @@
 #include "commands/breath_options.hpp"
 
+#include "errors/input_error.hpp"
+
 namespace trunk {
 
 void add_breath_options(CLI::App& command, BreathSelection& selection) {
@@ -17,12 +19,14 @@ void add_breath_options(CLI::App& command, BreathSelection& selection) {
   };
   numbers("--exclude", selection.excluded, "breaths to reject");
   numbers("--include", selection.included, "breaths to keep though they look odd");
-  command
-      .add_option_function<double>(
-          "--calibrate-tidal-volume",
-          [&selection](double ml) { selection.calibrate_tidal_volume_m3 = 1e-6 * ml; },
-          "ml that the median kept breath had: scales a belt, or a volume of wrong calibration")
-      ->check(CLI::Range(1.0, 10000.0));
+  command.add_option_function<double>(
+      "--calibrate-tidal-volume",
+      [&selection](double ml) {
+        if (!(ml >= 1 && ml <= 10000))  // CLI::Range lets NaN pass
+          throw InputError("--calibrate-tidal-volume: expected 1 to 10000 ml");
+        selection.calibrate_tidal_volume_m3 = 1e-6 * ml;
+      },
+      "ml that the median kept breath had: scales a belt, or a volume of wrong calibration");
 }
 
 }  // namespace trunk

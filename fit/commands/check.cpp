@@ -96,7 +96,7 @@ void note_doubts(const MeasuredBreath& breath, const Trace& trace, std::vector<s
 void check_trace(const CheckRequest& request, Findings& findings) {
   findings.mistakes.gather([&] {
     const Trace trace = read_signal(request.fit.trace, request.fit.signal);
-    const Segmentation segmentation = segment_breaths(trace);
+    const Segmentation segmentation = segment_breaths(trace, request.fit.selection);
     const MeasuredBreath breath = mean_breath(segmentation);
     findings.notes.insert(findings.notes.end(), segmentation.notes.begin(), segmentation.notes.end());
     note_doubts(breath, trace, findings.notes);

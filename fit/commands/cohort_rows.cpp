@@ -127,25 +127,23 @@ CohortRow cohort_row(const std::string& subject, const Json& fit) {
 
 std::string cohort_table(const std::vector<CohortRow>& rows) {
   std::size_t width = 7;
-  std::vector<std::string> predicted;
+  std::vector<std::string> names;  // of what some subject has an estimate of, in percent or a parameter
   for (const CohortRow& row : rows) {
     width = std::max(width, row.subject.size());
-    for (const NamedValue& v : row.numbers)
-      if (v.name.ends_with("_percent_upper95")) {
-        const std::string name = v.name.substr(0, v.name.size() - 8);
-        if (std::find(predicted.begin(), predicted.end(), name) == predicted.end()) predicted.push_back(name);
-      }
+    for (const NamedValue& v : row.numbers) {
+      if (!v.name.ends_with("_lower95") || v.name.ends_with("_ml_lower95")) continue;
+      const std::string name = v.name.substr(0, v.name.size() - 8);
+      if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+    }
   }
-  std::vector<std::string> shown_ones = {"k_elasticity", "k_muscle", "ratio"};
-  shown_ones.insert(shown_ones.end(), predicted.begin(), predicted.end());
   std::string text = fmt::format("  {:<{}}  {:<16}", "subject", width, "status");
-  for (const std::string& name : shown_ones) text += fmt::format("  {:<32}", name);
+  for (const std::string& name : names) text += fmt::format("  {:<32}", name);
   for (const CohortRow& row : rows) {
     text += fmt::format("\n  {:<{}}  {:<16}", row.subject, width, row.status);
     if (row.status == "failed")
       text += "  " + row.error;
     else
-      for (const std::string& name : shown_ones) text += fmt::format("  {:<32}", interval_text(row, name));
+      for (const std::string& name : names) text += fmt::format("  {:<32}", interval_text(row, name));
   }
   return text;
 }

@@ -75,7 +75,7 @@ Measurement FitJob::measured() {
     if (request_.breath == "each") throw InputError("--breath each: expected a trace with breaths");
     return {std::nullopt, 1e-6 * request_.tidal_volume_ml};
   }
-  Segmentation s = segment_breaths(read_signal(request_.trace, request_.signal));
+  Segmentation s = segment_breaths(read_signal(request_.trace, request_.signal), request_.selection);
   notes_ = s.notes;
   Measurement measurement{chosen_breath(s, request_.breath, notes_), 0.0};
   if (request_.breath == "each") each_ = std::move(s);
@@ -107,7 +107,12 @@ FitOutcome FitJob::carry_out() {
   if (outcome.replayed > 0)
     listener_.note(fmt::format("goes on from {} simulations of an interrupted run", outcome.replayed));
   Estimation& e = outcome.estimation;
-  e = fit_->carry_out(*ledger_);
+  try {
+    e = fit_->carry_out(*ledger_);
+  } catch (const InputError&) {
+    if (outcome.replayed == 0) ledger_->discard();  // an option that makes no sense leaves nothing behind
+    throw;
+  }
   if (e.model.size() == 0) {
     ledger_->discard();
     throw std::runtime_error("no simulation completed (" + e.search.stop_reason + "): nothing written");

@@ -1,5 +1,7 @@
 #include "commands/fit_options.hpp"
 
+#include "commands/breath_options.hpp"
+
 #include <fmt/format.h>
 
 #include <charconv>
@@ -78,6 +80,7 @@ void add_subject_options(CLI::App& command, FitRequest& r) {
   SearchOptions& search = r.plan.estimation.search;
   command.add_option("--trace", r.trace, "trace of volume, flow or belt (text table, MATLAB, EDF, BDF)");
   add_signal_options(command, r.signal);
+  add_breath_options(command, r.selection);
   command.add_option("--tidal-volume-ml", r.tidal_volume_ml,
                      "fit k_muscle to this one number instead of a trace");
   command.add_option(

@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "breaths/selection.hpp"
 #include "commands/trace_options.hpp"
 #include "subject/subject_fit.hpp"
 
@@ -15,6 +16,7 @@ struct FitRequest {
   int draws = 64;
   double tidal_volume_ml = 0.0;
   SignalOptions signal;
+  BreathSelection selection;
   std::vector<std::string> settings, priors;
   FitPlan plan;
   std::string timing = "joint", loss = "squares", weights = "uniform";

@@ -32,8 +32,9 @@ struct Ledger::File {
     if (code == SQLITE_BUSY || code == SQLITE_LOCKED)
       throw InputError(path.string(), 0,
                        "is in use: another fit is writing this result, expected one at a time");
-    throw std::runtime_error(path.string() + ": the ledger of the fit cannot be written (" + message +
-                             "): check the space on the disk and the rights on the folder");
+    throw InputError(
+        path.string(), 0,
+        "cannot be written: " + message + "; check the space on the disk and the rights on the folder");
   }
   void execute(const char* sql) const {
     if (sqlite3_exec(database.get(), sql, nullptr, nullptr, nullptr) != SQLITE_OK) fail();

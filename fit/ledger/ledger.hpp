@@ -25,8 +25,8 @@ class Ledger {
   /// In memory alone.
   Ledger();
   /// On file. What is there for the same `problem` (a text that says all that an entry depends on) is taken
-  /// over; entries of another problem are dropped. Throws InputError where the file is not a ledger, and
-  /// std::runtime_error where it cannot be written.
+  /// over; entries of another problem are dropped. Throws InputError where the file is not a ledger, is in
+  /// use or cannot be written.
   Ledger(const std::filesystem::path& path, const std::string& problem);
   ~Ledger();
   Ledger(const Ledger&) = delete;

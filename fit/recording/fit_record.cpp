@@ -19,7 +19,8 @@ std::vector<NamedValue> statistics_of(const Estimation& e) {
       {"baseline_bic", "1", e.quality.baseline_bic},
       {"failed_evaluations", "1", static_cast<double>(e.failures)},
   };
-  if (e.cross_check) s.push_back({"methods_differ_by", "1", e.cross_check->largest_difference});
+  if (e.cross_check)
+    s.push_back({"methods_differ_percent", "percent", 100.0 * e.cross_check->largest_difference});
   if (e.uncertainty) {
     s.push_back({"noise_autocorrelation", "1", e.uncertainty->noise_autocorrelation});
     s.push_back({"noise_sigma_ml", "ml", 1e6 * e.uncertainty->sigma_m3});

@@ -22,7 +22,7 @@ constexpr std::size_t fewest_draws = 16;  // that a percentile of 2.5 % can be r
 std::vector<Candidate> candidates_of(const SearchSpace& space, const Estimation& e, int draws,
                                      unsigned seed) {
   std::vector<Candidate> result = {e.best};
-  if (!e.local || draws == 0) return result;
+  if (!e.local) return result;
   const auto n = static_cast<Eigen::Index>(space.size());
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(e.local->covariance);
   const Eigen::MatrixXd root =

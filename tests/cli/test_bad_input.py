@@ -139,7 +139,7 @@ class Outputs(TrunkTest):
     def test_full_disk(self):
         """As reported by the disk, and as `ulimit -f` reports it: with a signal that must not leave a half file."""
         for ignore_signal in (True, False):
-            self.refused_at("r.h5", "r.h5: cannot be written: ", **file_limit(20_000, ignore_signal))
+            self.refused_at("r.h5", "r.h5(.ledger)?: cannot be written: ", **file_limit(20_000, ignore_signal))
 
     def test_full_disk_behind_stdout(self):
         """A script that keeps the JSON must not take an empty file for a result."""
