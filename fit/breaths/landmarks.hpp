@@ -19,9 +19,10 @@ struct Landmarks {
 /// Places the landmarks of breaths found in the same samples (at least one breath), free of the unit of
 /// volume.
 ///
-/// Each rest and each top is fitted as a turn (turn_fit) to the samples within 30 % of a breath's height of
-/// it, in one shape for all rests and one for all tops: the one that fits best in the median. An onset is the
-/// end of its rest, and so lies at the end of a pause.
+/// Each rest and each top is fitted as a turn (fit_turn) to what lies near it: a tenth of a breath's height,
+/// more in noise (turn_windows). All rests have one shape, all tops another: those that fit best. An onset is
+/// the end of its rest, and so lies at the end of a pause; it is where the volume leaves rest, which is later
+/// than the muscle's onset where the expiration before it has not ended. A peak is the middle of its top.
 Landmarks landmarks(std::span<const double> time_s, std::span<const double> volume,
                     const WholeBreaths& breaths);
 

@@ -112,9 +112,11 @@ TurnShape shape_of(const std::vector<TurnWindow>& windows, Samples lags_after) {
 
 }  // namespace
 
-BinnedVolume::BinnedVolume(Samples time_s, Samples samples, const WholeBreaths& breaths)
-    : period((time_s[breaths.trough.back()] - time_s[breaths.trough.front()]) /
-             static_cast<double>(breaths.peak.size())) {
+BinnedVolume::BinnedVolume(Samples time_s, Samples samples, const WholeBreaths& breaths) {
+  std::vector<double> durations;
+  for (std::size_t i = 1; i < breaths.trough.size(); ++i)
+    durations.push_back(time_s[breaths.trough[i]] - time_s[breaths.trough[i - 1]]);
+  period = median(std::move(durations));
   std::vector<double> begins;
   for (std::size_t i = 0; i < time_s.size();) {
     begins.push_back(time_s[i]);

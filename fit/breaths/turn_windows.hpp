@@ -15,7 +15,7 @@ struct BinnedVolume {
   std::vector<double> time, volume;       ///< [bins] means over a bin
   std::vector<double> smooth;             ///< [bins] volume, averaged as far as noise asks for it
   std::vector<std::size_t> trough, peak;  ///< [n+1], [n]
-  double period = 0;                      ///< of a breath, s
+  double period = 0;                      ///< of a breath, median, s
   double noise = 0;                       ///< deviation of `smooth`
   double around = 0;                      ///< part of a height about turns that is fitted
 

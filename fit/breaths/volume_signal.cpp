@@ -103,7 +103,7 @@ std::size_t spike_at(std::span<const double> signal, std::size_t i, std::size_t 
 }
 
 // Spikes up to five samples and a tenth of a second, whichever is shorter; a single sample may last longer.
-std::size_t repair_spikes_once(std::span<const double> time, std::vector<double>& signal) {
+std::size_t repair_spikes(std::span<const double> time, std::vector<double>& signal) {
   const double least = 0.2 * central_range(signal);
   const double step = (time.back() - time.front()) / static_cast<double>(time.size() - 1);
   const auto longest = static_cast<std::size_t>(std::clamp(0.1 / step, 1.0, 5.0));
@@ -117,17 +117,6 @@ std::size_t repair_spikes_once(std::span<const double> time, std::vector<double>
           before + (after - before) * static_cast<double>(k + 1) / static_cast<double>(length + 1);
     i += length - 1;
     ++repaired;
-  }
-  return repaired;
-}
-
-// A spike may hide another beside it.
-std::size_t repair_spikes(std::span<const double> time, std::vector<double>& signal) {
-  std::size_t repaired = 0;
-  for (int round = 0; round < 5; ++round) {
-    const std::size_t more = repair_spikes_once(time, signal);
-    repaired += more;
-    if (more == 0) break;
   }
   return repaired;
 }
