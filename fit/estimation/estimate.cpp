@@ -122,7 +122,7 @@ class Fitting {
     SearchOptions lm = options_.search;
     lm.max_evaluations *= 1 + static_cast<int>(space_.size()) / 2;
     lm.objective_tolerance =
-        std::max(lm.objective_tolerance, space_.size() > space_.asked_for() ? 1e-7 : 1e-10);
+        std::max(lm.objective_tolerance, space_.size() > space_.asked_for() ? 1e-5 : 1e-10);
     return lm;
   }
 

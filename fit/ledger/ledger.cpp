@@ -78,6 +78,17 @@ Ledger::~Ledger() = default;
 Ledger::Ledger(const std::filesystem::path& path, const std::string& problem)
     : file_(std::make_unique<File>()) {
   file_->path = path;
+  const bool is_new = !std::filesystem::exists(path);
+  try {
+    open(problem);
+  } catch (...) {
+    if (is_new) discard();  // nothing is worth keeping
+    throw;
+  }
+}
+
+void Ledger::open(const std::string& problem) {
+  const std::filesystem::path& path = file_->path;
   sqlite3* database = nullptr;
   const int opened = sqlite3_open(path.c_str(), &database);
   file_->database.reset(database);
@@ -129,8 +140,10 @@ void Ledger::discard() {
   if (!file_) return;
   const std::filesystem::path path = file_->path;
   file_.reset();
-  std::filesystem::remove(path);
-  std::filesystem::remove(path.string() + "-journal");  // SQLite's, where a process was killed as it wrote
+  std::error_code ignored;
+  std::filesystem::remove(path, ignored);
+  std::filesystem::remove(path.string() + "-journal",
+                          ignored);  // SQLite's, where a process was killed as it wrote
 }
 
 }  // namespace trunk

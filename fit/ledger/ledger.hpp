@@ -40,6 +40,8 @@ class Ledger {
   void discard();
 
  private:
+  void open(const std::string& problem);
+
   struct File;
   std::unique_ptr<File> file_;
   std::map<std::string, LedgerEntry> entries_;

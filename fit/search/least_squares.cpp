@@ -57,7 +57,7 @@ std::optional<Eigen::MatrixXd> jacobian(const LeastSquares& problem, const Eigen
 }
 
 std::optional<Eigen::MatrixXd> forward_jacobian(const LeastSquares& problem, const Eigen::VectorXd& x) {
-  const double step = 1e-5;
+  const double step = 1e-6;
   std::vector<Eigen::VectorXd> ahead = moved(problem, x, step);
   for (Eigen::Index i = 0; i < x.size(); ++i)
     if (x[i] + step > problem.upper[i]) ahead[static_cast<std::size_t>(i)][i] = x[i] - step;

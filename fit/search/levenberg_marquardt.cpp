@@ -101,6 +101,7 @@ Ending iterate(gsl_multifit_nlinear_workspace* work, const Fit& fit, const Searc
   // A step below 1e-4 changes the objective of a least-squares problem by 1e-8 of what is left.
   const double step_tolerance = std::max(options.coordinate_tolerance, 1e-10);
   const double slope_tolerance = 1e-10;
+  int small_gains = 0;
   while (fit.evaluations < options.max_evaluations) {
     const double before = gsl_blas_dnrm2(gsl_multifit_nlinear_residual(work));
     const int status = gsl_multifit_nlinear_iterate(work);
@@ -113,7 +114,8 @@ Ending iterate(gsl_multifit_nlinear_workspace* work, const Fit& fit, const Searc
       return {true, info == 1 ? fmt::format("the step is at most {:g} of the coordinates", step_tolerance)
                               : fmt::format("the gradient is at most {:g}", slope_tolerance)};
     const double after = gsl_blas_dnrm2(gsl_multifit_nlinear_residual(work));
-    if (before - after <= 0.5 * options.objective_tolerance * after)
+    small_gains = before - after <= 0.5 * options.objective_tolerance * after ? small_gains + 1 : 0;
+    if (small_gains == 2)  // one may be chance
       return {true,
               fmt::format("the objective changes by at most {:g} of itself", options.objective_tolerance)};
   }

@@ -8,10 +8,6 @@ namespace trunk {
 namespace {
 
 constexpr double highest_rho = 0.999;
-constexpr double least_freedom = 4.0;  // our choice: below, Student's t says more of itself than of the data
-
-/// Columns as they would be with independent noise of the same deviation: x_0, (x_i - rho x_(i-1)) /
-/// sqrt(1 - rho^2).
 Eigen::MatrixXd whitened(const Eigen::MatrixXd& x, double rho) {
   const Eigen::Index n = x.rows();
   Eigen::MatrixXd w = x;
@@ -43,38 +39,10 @@ double restricted_likelihood(const Eigen::VectorXd& residuals, const Eigen::Matr
          ((n - 1.0) * std::log(1.0 - rho * rho) + fit.log_determinant + (n - p) * std::log(fit.squares));
 }
 
-/// By thirds of the best interval of a grid that is even in log(1 - rho).
-double likeliest_rho(const Eigen::VectorXd& residuals, const Eigen::MatrixXd& basis) {
-  const auto rho_at = [](double part) { return 1.0 - std::pow(1.0 - highest_rho, part); };
-  const auto value = [&](double part) { return restricted_likelihood(residuals, basis, rho_at(part)); };
-  constexpr int steps = 40;
-  int best = 0;
-  for (int k = 1; k <= steps; ++k)
-    if (value(k / static_cast<double>(steps)) > value(best / static_cast<double>(steps))) best = k;
-  double low = std::max(best - 1, 0) / static_cast<double>(steps),
-         high = std::min(best + 1, steps) / static_cast<double>(steps);
-  for (int k = 0; k < 20; ++k) {
-    const double third = (high - low) / 3.0;
-    if (value(low + third) < value(high - third))
-      low += third;
-    else
-      high -= third;
-  }
-  return rho_at(0.5 * (low + high));
-}
-
 Eigen::MatrixXd basis_of(const Eigen::MatrixXd& jacobian) {
   const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(jacobian);
   const Eigen::MatrixXd q = qr.householderQ() * Eigen::MatrixXd::Identity(jacobian.rows(), qr.rank());
   return q;
-}
-
-/// Degrees of freedom of the residuals' sum of squares, tr(M S)^2 / tr((M S)^2), M = 1 - Q Q'.
-double freedom_of(const Eigen::MatrixXd& basis, double rho) {
-  const Eigen::MatrixXd s = noise_covariance(basis.rows(), 1.0, rho), sq = s * basis;
-  const Eigen::MatrixXd left = s - basis * sq.transpose() - sq * basis.transpose() +
-                               basis * (basis.transpose() * sq) * basis.transpose();
-  return left.trace() * left.trace() / left.squaredNorm();
 }
 
 }  // namespace
@@ -89,14 +57,21 @@ double autocorrelation(const Eigen::VectorXd& r, Eigen::Index lag) {
 Noise estimate_noise(const Eigen::VectorXd& residuals, const Eigen::MatrixXd& jacobian) {
   const Eigen::MatrixXd basis = basis_of(jacobian);
   Noise noise;
-  noise.white_freedom = std::max(1.0, static_cast<double>(residuals.size() - basis.cols()));
-  noise.white_deviation = std::sqrt(residuals.squaredNorm() / noise.white_freedom);
-  noise.deviation = noise.white_deviation;
-  noise.freedom = noise.white_freedom;
+  noise.freedom = std::max(1.0, static_cast<double>(residuals.size() - basis.cols()));
+  noise.white_deviation = noise.deviation = std::sqrt(residuals.squaredNorm() / noise.freedom);
   if (noise.white_deviation < 1e-9) return noise;  // nothing but round-off
-  noise.rho = likeliest_rho(residuals, basis);
-  noise.deviation = std::sqrt(white_fit(residuals, basis, noise.rho).squares / noise.white_freedom);
-  noise.freedom = std::max(least_freedom, freedom_of(basis, noise.rho));
+
+  constexpr int steps = 40;  // even in log(1 - rho)
+  Eigen::ArrayXd log_rest(steps + 1), log_deviation(steps + 1), likelihood(steps + 1);
+  for (int k = 0; k <= steps; ++k) {
+    log_rest[k] = std::log(1.0 - highest_rho) * k / steps;
+    const double rho = 1.0 - std::exp(log_rest[k]);
+    log_deviation[k] = 0.5 * std::log(white_fit(residuals, basis, rho).squares / noise.freedom);
+    likelihood[k] = restricted_likelihood(residuals, basis, rho);
+  }
+  const Eigen::ArrayXd weight = (likelihood - likelihood.maxCoeff()).exp();
+  noise.rho = 1.0 - std::exp((weight * log_rest).sum() / weight.sum());
+  noise.deviation = std::exp((weight * log_deviation).sum() / weight.sum());
   return noise;
 }
 

@@ -35,7 +35,7 @@ Estimate estimate(std::string name, std::string unit, Scale scale, double value,
   Estimate e{std::move(name), std::move(unit),
              value,           scale == Scale::factor ? value * d.corrected : d.corrected,
              wide.lower,      wide.upper};
-  e.naive95 = interval(scale, value, d.naive, t_quantile(noise.white_freedom));
+  e.naive95 = interval(scale, value, d.naive, t_quantile(noise.freedom));
   e.identifiable = scale == Scale::factor ? wide.upper < widest_identifiable * wide.lower
                                           : wide.upper - wide.lower < widest_identifiable_amount;
   return e;

@@ -96,7 +96,7 @@ TEST_CASE("certified regressions come out as certified, standard errors too", "[
       const Noise noise = estimate_noise(regression.residuals(r.best), slopes);
       const Eigen::MatrixXd covariance =
           least_squares_covariance(slopes, noise_covariance(slopes.rows(), noise.white_deviation, 0.0));
-      CHECK(noise.white_freedom == static_cast<double>(slopes.rows() - n));
+      CHECK(noise.freedom == static_cast<double>(slopes.rows() - n));
       for (std::size_t i = 0; i < b.size(); ++i) {
         const auto k = static_cast<Eigen::Index>(i);
         CHECK(b[i] == Approx(estimates[i]).epsilon(1e-5));
