@@ -18,7 +18,7 @@ void require_results_free(const Common& common, const FitRequest& request, const
 
 Execution watched(unsigned threads) {
   const auto report = [](std::size_t evaluations) {
-    print_progress(fmt::format("fitting: {} evaluations", evaluations));
+    print_progress(fmt::format("fitting: {} simulations", evaluations));
   };
   return {threads, [] { return interrupted(); }, report};
 }

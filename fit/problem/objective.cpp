@@ -103,7 +103,7 @@ void Objective::simulate_missing(const std::vector<Candidate>& candidates,
         for (std::size_t i = 0; i < results.second.size(); ++i)
           ledger_.add(keys[missing[results.first + i]], std::move(results.second[i]));
         simulated_ += results.second.size();
-        if (execution_.progress) execution_.progress(evaluations_.size() + simulated_);
+        if (execution_.progress) execution_.progress(simulated_);
       });
   if (cancelled()) throw Cancelled();
 }
@@ -142,7 +142,6 @@ std::vector<Outcome> Objective::outcomes(const std::vector<Eigen::VectorXd>& som
       evaluations_.push_back({candidates[i], result.back().objective,
                               static_cast<Summary::Status>(found[i]->status), found[i]->wall_s});
   }
-  if (execution_.progress) execution_.progress(evaluations_.size());
   return result;
 }
 

@@ -24,7 +24,7 @@ struct Evaluation {
 struct Execution {
   unsigned threads = 0;  // 0: one a core
   std::function<bool()> cancelled;
-  std::function<void(std::size_t)> progress;  // told the number of evaluations
+  std::function<void(std::size_t)> progress;  // told the number of simulations
 };
 
 /// The distance between a candidate's lung volume and the measured one (paper, "Estimation of the model
