@@ -41,7 +41,7 @@ CohortList read_cohort_list(const std::filesystem::path& path) {
   CohortList list;
   list.path = path;
   list.text = read_text_file(path, max_file_bytes);
-  DelimitedText table(path.string(), list.text);
+  DelimitedText table(path.string(), list.text, &list_layout);
   list.header_line = table.header_line();
   list.columns = distinct_columns(table);
   const auto subject = std::find(list.columns.begin(), list.columns.end(), "subject");

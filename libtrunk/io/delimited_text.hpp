@@ -25,9 +25,11 @@ class DelimitedText {
 
   static constexpr std::size_t max_rows = Recording::max_samples;
 
-  /// Reads the header. Errors: those of table_layout.
-  DelimitedText(std::string source, std::string text)
-      : text_(std::move(text)), layout_(table_layout(TextLines(std::move(source), text_))) {}
+  using Layout = TableLayout (*)(TextLines);
+
+  /// Reads the header. Errors: those of the layout.
+  DelimitedText(std::string source, std::string text, Layout layout = &table_layout)
+      : text_(std::move(text)), layout_(layout(TextLines(std::move(source), text_))) {}
 
   // Rows view the text, so the table stays where it is.
   DelimitedText(const DelimitedText&) = delete;

@@ -85,6 +85,13 @@ class LayoutFinder {
     return unnamed(*rows);
   }
 
+  TableLayout list() {
+    if (!has_line(0)) fail(0, "only blank lines and comments found; expected a header line and rows");
+    read_declaration();
+    delimiter_ = declared_.value_or(guessed_delimiter(lines_[first_].text));
+    return headed(first_);
+  }
+
  private:
   struct Line {
     std::string_view text, comment;  // the line, and the comment right above it
@@ -182,15 +189,21 @@ class LayoutFinder {
     return nearest ? nearest : units;
   }
 
-  // Lines without a number between header and rows are passed over; one may hold units.
-  TableLayout below(std::size_t header, std::size_t rows) {
+  // Rows begin right below.
+  TableLayout headed(std::size_t header) const {
     Cells cells;
     const std::size_t number = lines_[header].after.number();
     if (!split_cells(lines_[header].text, delimiter_, cells))
       fail(number, "a double quote is opened and not closed; expected pairs; remove or close it");
     if (cells.empty())
       fail(number, "a line of empty cells found; expected a header line that names the columns");
-    TableLayout layout{delimiter_, number, true, joined_names(cells, delimiter_), {}, lines_[header].after};
+    return {delimiter_, number, true, joined_names(cells, delimiter_), {}, lines_[header].after};
+  }
+
+  // Lines without a number between header and rows are passed over; one may hold units.
+  TableLayout below(std::size_t header, std::size_t rows) {
+    TableLayout layout = headed(header);
+    Cells cells;
     for (std::size_t i = header + 1; i < header + farthest_header && has_line(i); ++i) {
       cells = cells_of(lines_[i].text);
       if (any_numeric(cells, delimiter_)) break;
@@ -222,6 +235,10 @@ class LayoutFinder {
 
 TableLayout table_layout(TextLines lines) {
   return LayoutFinder(lines).find();
+}
+
+TableLayout list_layout(TextLines lines) {
+  return LayoutFinder(lines).list();
 }
 
 }  // namespace trunk

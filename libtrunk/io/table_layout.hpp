@@ -26,4 +26,7 @@ struct TableLayout {
 /// a first line of empty cells, an open quote in the header.
 TableLayout table_layout(TextLines lines);
 
+/// The same of a list, whose rows need not hold numbers: the first line is the header, all below are rows.
+TableLayout list_layout(TextLines lines);
+
 }  // namespace trunk
