@@ -198,8 +198,12 @@ class Real(TrunkTest):
             self.assertEqual(one["kept"], one["reason"] == "")
 
     def test_a_chest_belt_is_not_a_volume(self):
-        self.refused("breaths", shared_file("traces/biosppy_resp_100Hz.csv"),
-                     says=(r"biosppy_resp_100Hz.csv: ", "expected"))
+        belt = shared_file("traces/biosppy_resp_100Hz.csv")
+        outcome = self.trunk("breaths", belt, "--json")
+        self.assertEqual(outcome.code, 0, str(outcome))
+        self.assertIn("note: taken by name: column 'belt_au' as the belt, in units of its own\n", outcome.err)
+        self.refused("check", HEALTHY, "--trace", belt, says="biosppy_resp_100Hz.csv: .*belt.*expected volumes")
+        self.refused("breaths", belt, "--volume", "belt_au", says=r"biosppy_resp_100Hz.csv:2: .*'belt_au' has no unit of volume")
 
 
 if __name__ == "__main__":
