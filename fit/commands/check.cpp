@@ -81,7 +81,7 @@ void note_doubts(const MeasuredBreath& breath, const Trace& trace, std::vector<s
   if (breath.breaths_used < few_breaths)
     notes.push_back(fmt::format(
         "{} breath(s) used: the spread from breath to breath is not known from so few", breath.breaths_used));
-  if (trace.kind != SignalKind::belt && breath.tidal_volume_m3 > deep_m3)
+  if (breath.tidal_volume_m3 > deep_m3)
     notes.push_back(
         fmt::format("a tidal volume of {:.0f} ml is beyond what the model was made for (quiet breathing "
                     "and exercise up to 2000 ml)",
@@ -101,14 +101,11 @@ void check_trace(const CheckRequest& request, Findings& findings) {
     findings.notes.insert(findings.notes.end(), segmentation.notes.begin(), segmentation.notes.end());
     note_doubts(breath, trace, findings.notes);
     findings.json["breaths_used"] = breath.breaths_used;
+    findings.json["tidal_volume_ml"] = 1e6 * breath.tidal_volume_m3;
     findings.text +=
-        fmt::format("{}: good. {} breaths used, {} rejected, {:.2f} s a breath", request.fit.trace,
-                    breath.breaths_used, breath.breaths_rejected, breath.duration_s);
-    if (trace.kind != SignalKind::belt) {
-      findings.json["tidal_volume_ml"] = 1e6 * breath.tidal_volume_m3;
-      findings.text += fmt::format(", tidal volume {:.0f} ml", 1e6 * breath.tidal_volume_m3);
-    }
-    findings.text += "\n";
+        fmt::format("{}: good. {} breaths used, {} rejected, tidal volume {:.0f} ml, {:.2f} s a breath\n",
+                    request.fit.trace, breath.breaths_used, breath.breaths_rejected,
+                    1e6 * breath.tidal_volume_m3, breath.duration_s);
   });
 }
 

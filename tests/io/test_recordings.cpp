@@ -138,6 +138,20 @@ TEST_CASE("a MAT-file gives vectors, columns and fields of structs") {
     }
     check_waves(read_trace(path), 1e-3);
   }
+  SECTION("a matrix whose rows are the signals") {
+    {
+      MatWriter file(path, version);
+      std::vector<double> both;
+      for (std::size_t i = 0; i < samples; ++i) {
+        both.push_back(0.01 * static_cast<double>(i));
+        both.push_back(wave(static_cast<int>(i)));
+      }
+      file.write(MatWriter::matrix("y", both, 2));
+    }
+    TraceOptions options = picked("y(2,:)", "L/s");
+    options.time_column = "1";
+    check_waves(read_trace(path, options), 1e-3);
+  }
   SECTION("lengths that differ") {
     {
       MatWriter file(path, version);
