@@ -198,12 +198,13 @@ class Real(TrunkTest):
             self.assertEqual(one["kept"], one["reason"] == "")
 
     def test_a_chest_belt_is_not_a_volume(self):
+        """It has breaths in a unit of its own; a fit wants to know how large they are."""
         belt = shared_file("traces/biosppy_resp_100Hz.csv")
-        outcome = self.trunk("breaths", belt, "--json")
-        self.assertEqual(outcome.code, 0, str(outcome))
-        self.assertIn("note: taken by name: column 'belt_au' as the belt, in units of its own\n", outcome.err)
-        self.refused("check", HEALTHY, "--trace", belt, says="biosppy_resp_100Hz.csv: .*belt.*expected volumes")
-        self.refused("breaths", belt, "--volume", "belt_au", says=r"biosppy_resp_100Hz.csv:2: .*'belt_au' has no unit of volume")
+        shown = self.succeeds("breaths", belt)
+        self.assertGreater(shown["breaths_kept"], 8)
+        self.refused("fit", HEALTHY, "--trace", belt, "-o", "f.h5", says="--calibrate-tidal-volume")
+        calibrated = self.succeeds("breaths", belt, "--calibrate-tidal-volume", "500")
+        self.assertEqual(calibrated["breaths_kept"], shown["breaths_kept"])
 
 
 if __name__ == "__main__":

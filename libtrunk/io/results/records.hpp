@@ -77,9 +77,9 @@ struct FitRecord {
   struct Parameter {
     std::string name, unit;
     double initial = 0, lower = 0, upper = 0, best = 0, stderr_ = 0, lower95 = 0, upper95 = 0;
-    double naive_lower95 = 0, naive_upper95 = 0;  // as if all samples were independent
     bool at_bound = false, free = true;
     bool beside = false;  // estimated along with the free ones without being asked for
+    double naive_lower95 = 0, naive_upper95 = 0;  // as if all samples were independent
   };
   /// A local search of a multistart.
   struct Start {
