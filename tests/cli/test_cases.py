@@ -14,7 +14,7 @@ class Cases(TrunkTest):
             with self.subTest(case["name"]):
                 expected = case["expected"]
                 fit = self.succeeds("fit", HEALTHY, "--trace", CASES / case["trace"], "-o", "f.h5", "--force",
-                                    "--set", "time.dt_ms=2", *case["options"], codes=(expected["exit"],))
+                                    "--set", "time.dt_ms=2", "--surface", "0", *case["options"], codes=(expected["exit"],))
                 self.assertIn(expected["verdict"], fit["verdict"])
                 truth = {**case["truth"], "ratio": case["truth"]["k_muscle"] / case["truth"]["k_elasticity"]}
                 found = {**fit["parameters"], "ratio": fit["ratio"]}
