@@ -66,7 +66,7 @@ void bind_blob(sqlite3_stmt* statement, int at, const void* data, std::size_t si
 
 std::vector<double> numbers(const std::string& bytes) {
   std::vector<double> values(std::min(bytes.size() / sizeof(double), most_values));
-  std::memcpy(values.data(), bytes.data(), values.size() * sizeof(double));
+  if (!values.empty()) std::memcpy(values.data(), bytes.data(), values.size() * sizeof(double));
   return values;
 }
 
