@@ -10,19 +10,20 @@ namespace trunk {
 
 /// Where n whole breaths begin, peak and end: breath i runs from rest i over peak i to rest i+1.
 struct Landmarks {
-  KnotLine rest;                        ///< ends of expiration, [n+1]: time s, volume m3 before drift removal
-  std::vector<double> peak_s;           ///< [n] end of inspiration; the middle of a plateau
-  std::vector<double> tidal_volume_m3;  ///< [n] maximum above the line between the two rests
+  KnotLine rest;                     ///< onsets, [n+1]: time s, volume at rest there, before drift removal
+  std::vector<double> rests_s;       ///< [n+1] how long the volume was level before that time
+  std::vector<double> peak_s;        ///< [n] end of inspiration; the middle of a plateau
+  std::vector<double> tidal_volume;  ///< [n] top above the line between the two rests
 };
 
-/// Places the landmarks of breaths found in the same samples (at least one breath).
+/// Places the landmarks of breaths found in the same samples (at least one breath), free of the unit of
+/// volume.
 ///
-/// An onset is extrapolated: volume leaves rest about as the square of time, so that an inspiration which
-/// passes a level at t1 and four times that level at t4 began at 2 t1 - t4. The level is 2 % of the height,
-/// or three deviations of the noise up to 10 % (our choice). The result is kept between the minimum before it
-/// and t1, and so lies at the end of a pause, where the minimum may be anywhere. A peak is the middle of what
-/// lies within 1 % of the maximum.
-Landmarks landmarks(std::span<const double> time_s, std::span<const double> volume_m3,
+/// Each rest and each top is fitted as a turn (fit_turn) to what lies near it: a tenth of a breath's height,
+/// more in noise (turn_windows). All rests have one shape, all tops another: those that fit best. An onset is
+/// the end of its rest, and so lies at the end of a pause; it is where the volume leaves rest, which is later
+/// than the muscle's onset where the expiration before it has not ended. A peak is the middle of its top.
+Landmarks landmarks(std::span<const double> time_s, std::span<const double> volume,
                     const WholeBreaths& breaths);
 
 }  // namespace trunk

@@ -15,7 +15,12 @@ constexpr std::size_t enough_for_deviation = 3;
 
 using Breaths = std::vector<Breath>;
 
-void check_samples(const Segmentation& segmentation, int samples) {
+void check_usable(const Segmentation& segmentation, int samples) {
+  if (!segmentation.calibrated)
+    throw InputError(
+        segmentation.source, 0,
+        "the signal is a belt's, in arbitrary units; expected volumes; give the tidal volume that "
+        "its median breath had, as in --calibrate-tidal-volume 500 (ml)");
   if (samples >= 3) return;
   throw InputError(
       segmentation.source, 0,
@@ -26,8 +31,9 @@ MeasuredBreath mean_timing(const Breaths& used) {
   MeasuredBreath mean;
   const auto n = static_cast<double>(used.size());
   for (const auto& breath : used) {
-    mean.inspiration_s += (breath.peak_s - breath.onset_s) / n;
-    mean.duration_s += (breath.end_s - breath.onset_s) / n;
+    mean.inspiration_s += breath.inspiration_s() / n;
+    mean.duration_s += breath.duration_s() / n;
+    mean.pause_s += breath.pause_s / n;
     mean.tidal_volume_m3 += breath.tidal_volume_m3 / n;
   }
   return mean;
@@ -87,6 +93,8 @@ MeasuredBreath averaged(const Segmentation& segmentation, const Breaths& used, i
     mean.volume_m3.push_back(mean_of(volumes));
     mean.sigma_m3.push_back(sigma_at(segmentation, used, mean, t, volumes, noise));
   }
+  for (const double sigma : mean.sigma_m3)
+    mean.standard_error_m3.push_back(sigma / std::sqrt(static_cast<double>(used.size())));
   // Zero by definition of the base line; a single sample there holds noise.
   mean.volume_m3.front() = mean.volume_m3.back() = 0;
   mean.breaths_used = static_cast<int>(used.size());
@@ -96,21 +104,23 @@ MeasuredBreath averaged(const Segmentation& segmentation, const Breaths& used, i
 }  // namespace
 
 MeasuredBreath mean_breath(const Segmentation& segmentation, int samples) {
-  check_samples(segmentation, samples);
+  check_usable(segmentation, samples);
   Breaths kept;
   for (const auto& breath : segmentation.breaths)
     if (breath.kept) kept.push_back(breath);
   if (kept.empty())
-    throw InputError(
-        segmentation.source, 0,
-        "no breath is kept; expected one or more; choose a breath by its number or another recording");
+    throw InputError(segmentation.source, 0,
+                     "none of the " + std::to_string(segmentation.breaths.size()) +
+                         " whole breaths can be used, the first because " +
+                         segmentation.breaths.front().reason +
+                         "; expected one or more; choose some with --include or give another recording");
   MeasuredBreath mean = averaged(segmentation, kept, samples);
   mean.breaths_rejected = static_cast<int>(segmentation.breaths.size() - kept.size());
   return mean;
 }
 
 MeasuredBreath single_breath(const Segmentation& segmentation, std::size_t number, int samples) {
-  check_samples(segmentation, samples);
+  check_usable(segmentation, samples);
   const std::size_t count = segmentation.breaths.size();
   if (number < 1 || number > count)
     throw InputError(segmentation.source, 0,

@@ -51,14 +51,16 @@ std::string better_unit(const Units& units, std::string_view base, std::string_v
 
 }  // namespace
 
-void check_plausible(const Trace& trace, double median_period_s, double median_tidal_volume_m3) {
-  if (!period_s.holds(median_period_s)) {
-    const auto hint = better_unit(time_units, "time", trace.time_unit, median_period_s, period_s);
-    throw InputError(trace.source, 0,
-                     "the breaths found last " + number_text(median_period_s) +
-                         " s in the median; expected 0.8 to 30 s; " +
-                         (hint.empty() ? "check the unit of time and that the signal is breathing" : hint));
-  }
+void check_period(const Trace& trace, double median_period_s) {
+  if (period_s.holds(median_period_s)) return;
+  const auto hint = better_unit(time_units, "time", trace.time_unit, median_period_s, period_s);
+  throw InputError(trace.source, 0,
+                   "the breaths found last " + number_text(median_period_s) +
+                       " s in the median; expected 0.8 to 30 s; " +
+                       (hint.empty() ? "check the unit of time and that the signal is breathing" : hint));
+}
+
+void check_tidal_volume(const Trace& trace, double median_tidal_volume_m3) {
   const double found_ml = median_tidal_volume_m3 * 1e6;
   if (tidal_volume_ml.holds(found_ml)) return;
   const bool flow = trace.kind == SignalKind::flow;

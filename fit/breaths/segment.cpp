@@ -14,11 +14,12 @@
 namespace trunk {
 namespace {
 
-std::string ml(double volume_m3) {
-  return number_text(volume_m3 * 1e6, 3) + " ml";
-}
 std::string seconds(double time_s) {
   return number_text(time_s, 3) + " s";
+}
+
+std::string volume_text(double volume_m3, bool calibrated) {
+  return calibrated ? number_text(volume_m3 * 1e6, 3) + " ml" : number_text(volume_m3, 3) + " a.u.";
 }
 
 void check_any(const Trace& trace, const WholeBreaths& found) {
@@ -33,9 +34,14 @@ void check_any(const Trace& trace, const WholeBreaths& found) {
 
 std::vector<Breath> breaths_at(const Landmarks& marks) {
   std::vector<Breath> breaths;
-  for (std::size_t i = 0; i < marks.peak_s.size(); ++i)
-    breaths.push_back(
-        {marks.rest.time[i], marks.peak_s[i], marks.rest.time[i + 1], marks.tidal_volume_m3[i], true, ""});
+  const auto& [time, value] = marks.rest;
+  for (std::size_t i = 0; i < marks.peak_s.size(); ++i) {
+    Breath b{time[i], marks.peak_s[i], time[i + 1], marks.tidal_volume[i], true, ""};
+    b.pause_s = std::min(marks.rests_s[i + 1], b.expiration_s());
+    b.inspired_m3 = b.tidal_volume_m3 + marks.rest(b.peak_s) - value[i];
+    b.expired_m3 = b.tidal_volume_m3 + marks.rest(b.peak_s) - value[i + 1];
+    breaths.push_back(b);
+  }
   return breaths;
 }
 
@@ -47,59 +53,88 @@ double median_of(const std::vector<Breath>& breaths, Measure measure) {
 }
 
 double duration(const Breath& breath) {
-  return breath.end_s - breath.onset_s;
+  return breath.duration_s();
 }
 double tidal_volume(const Breath& breath) {
   return breath.tidal_volume_m3;
 }
-double inspired_part(const Breath& breath) {
-  return (breath.peak_s - breath.onset_s) / duration(breath);
-}
 
-std::string far_from_median(const std::string& what, double value, double usual,
-                            std::string (*text)(double)) {
+template <class Text>
+std::string far_from_median(const std::string& what, double value, double usual, Text text) {
   if (value < 0.5 * usual) return what + " " + text(value) + " is under half the median " + text(usual);
   if (value > 2 * usual) return what + " " + text(value) + " is over twice the median " + text(usual);
   return "";
 }
 
 std::string odd_inspiration(const Breath& breath) {
-  const double part = inspired_part(breath);
+  const double part = breath.inspiration_s() / breath.duration_s();
   if (part >= 0.1 && part <= 0.9) return "";
   return "inspiration takes " + number_text(100 * part, 2) + " % of the breath";
 }
 
-std::string odd_return(const Breath& breath, double difference_m3) {
-  if (std::abs(difference_m3) <= 0.5 * breath.tidal_volume_m3) return "";
-  return "ends " + ml(std::abs(difference_m3)) + (difference_m3 > 0 ? " above" : " below") +
-         " where it began, over half of its tidal volume " + ml(breath.tidal_volume_m3);
+template <class Text>
+std::string odd_return(const Breath& breath, double shift, Text text) {
+  if (std::abs(shift) <= 0.5 * breath.tidal_volume_m3) return "";
+  return "ends " + text(std::abs(shift)) + (shift > 0 ? " above" : " below") +
+         " where it began, over half of its tidal volume " + text(breath.tidal_volume_m3);
 }
 
-void judge(std::vector<Breath>& breaths, const Landmarks& marks, double drift) {
-  const double usual_volume = median_of(breaths, tidal_volume), usual_duration = median_of(breaths, duration);
-  for (std::size_t i = 0; i < breaths.size(); ++i) {
-    Breath& breath = breaths[i];
-    const double change = marks.rest.value[i + 1] - marks.rest.value[i] - drift * duration(breath);
-    for (const auto& reason : {far_from_median("tidal volume", breath.tidal_volume_m3, usual_volume, ml),
-                               far_from_median("duration", duration(breath), usual_duration, seconds),
-                               odd_inspiration(breath), odd_return(breath, change)}) {
+// How far the rest moved over each breath, beyond what it does in the median or over the breath before or
+// after: a wander of the base line moves several alike, a shift one. In parts of the tidal volume.
+std::vector<double> shifts_of(const Landmarks& marks, double drift) {
+  const auto& [time, value] = marks.rest;
+  const auto slope = [&](std::size_t k) { return (value[k + 1] - value[k]) / (time[k + 1] - time[k]); };
+  std::vector<double> shifts;
+  for (std::size_t i = 0; i + 1 < time.size(); ++i) {
+    double sudden = slope(i) - drift;
+    const auto compare = [&](double other) {
+      if (std::abs(slope(i) - other) < std::abs(sudden)) sudden = slope(i) - other;
+    };
+    if (i > 0) compare(slope(i - 1));
+    if (i + 2 < time.size()) compare(slope(i + 1));
+    shifts.push_back(sudden * (time[i + 1] - time[i]) / marks.tidal_volume[i]);
+  }
+  return shifts;
+}
+
+// In whatever unit of volume; the words are in the one there is now.
+void judge(Segmentation& result, const std::vector<double>& shifts, const BreathSelection& selection) {
+  const double usual_volume = median_of(result.breaths, tidal_volume);
+  const double usual_duration = median_of(result.breaths, duration);
+  const auto volume = [&](double v) { return volume_text(v, result.calibrated); };
+  for (std::size_t i = 0; i < result.breaths.size(); ++i) {
+    Breath& breath = result.breaths[i];
+    breath.kept = true, breath.reason = "";
+    for (const auto& reason :
+         {far_from_median("tidal volume", breath.tidal_volume_m3, usual_volume, volume),
+          far_from_median("duration", breath.duration_s(), usual_duration, seconds), odd_inspiration(breath),
+          odd_return(breath, shifts[i] * breath.tidal_volume_m3, volume)}) {
       if (reason.empty()) continue;
       breath.kept = false;
       breath.reason += (breath.reason.empty() ? "" : "; ") + reason;
     }
   }
+  overrule(result.breaths, selection, result.source);
 }
 
-void check_any_kept(const Trace& trace, const std::vector<Breath>& breaths) {
-  if (std::any_of(breaths.begin(), breaths.end(), [](const Breath& breath) { return breath.kept; })) return;
-  throw InputError(trace.source, 0,
-                   "none of the " + std::to_string(breaths.size()) +
-                       " whole breaths can be used, the first because " + breaths.front().reason +
-                       "; expected quiet, even breathing; give another recording");
+// Makes the median of the kept breaths (of all, where none is kept) the volume given.
+void calibrate(Segmentation& result, double tidal_volume_m3) {
+  std::vector<Breath> kept;
+  for (const Breath& breath : result.breaths)
+    if (breath.kept) kept.push_back(breath);
+  const double found = median_of(kept.empty() ? result.breaths : kept, tidal_volume);
+  const double factor = tidal_volume_m3 / found;
+  for (double& v : result.volume_m3) v *= factor;
+  for (double& v : result.sigma_m3) v *= factor;
+  for (Breath& breath : result.breaths)
+    for (double* v : {&breath.tidal_volume_m3, &breath.inspired_m3, &breath.expired_m3}) *v *= factor;
+  result.notes.push_back("scaled so that the median tidal volume is " + volume_text(tidal_volume_m3, true) +
+                         (result.calibrated ? ", which was " + volume_text(found, true) : ""));
+  result.calibrated = true;
 }
 
 void subtract_baseline(VolumeSignal& signal, const KnotLine& rest, double drift) {
-  for (std::size_t i = 0; i < signal.time_s.size(); ++i) signal.volume_m3[i] -= rest(signal.time_s[i], drift);
+  for (std::size_t i = 0; i < signal.time_s.size(); ++i) signal.volume[i] -= rest(signal.time_s[i], drift);
 }
 
 /// Lungs rest empty: a signal that spends clearly more time above three quarters of its breaths than below
@@ -115,11 +150,13 @@ bool rests_full(const Segmentation& s) {
   return high > 1.5 * low;
 }
 
-void add_notes(Segmentation& result, double drift) {
+void add_notes(Segmentation& result, double drift_of_tidal_volume) {
   const double period = median_of(result.breaths, duration);
-  const double per_breath = drift * period, usual_volume = median_of(result.breaths, tidal_volume);
-  if (std::abs(per_breath) > 0.01 * usual_volume)
-    result.notes.push_back("a drift of " + ml(per_breath) + " a breath was removed");
+  if (std::abs(drift_of_tidal_volume) > 0.01)
+    result.notes.push_back(
+        "a drift of " +
+        volume_text(drift_of_tidal_volume * median_of(result.breaths, tidal_volume), result.calibrated) +
+        " a breath was removed");
   const double before = result.breaths.front().onset_s - result.time_s.front();
   const double after = result.time_s.back() - result.breaths.back().end_s;
   if (before > 0.05 * period || after > 0.05 * period)
@@ -133,25 +170,32 @@ void add_notes(Segmentation& result, double drift) {
 
 }  // namespace
 
-Segmentation segment_breaths(const Trace& trace) {
+Segmentation segment_breaths(const Trace& trace, const BreathSelection& selection) {
   VolumeSignal signal = volume_signal(trace);
-  const WholeBreaths found = whole_breaths(signal.time_s, signal.volume_m3);
+  const WholeBreaths found = whole_breaths(signal.time_s, signal.volume);
   check_any(trace, found);
-  const Landmarks marks = landmarks(signal.time_s, signal.volume_m3, found);
-  Segmentation result;
-  result.breaths = breaths_at(marks);
-  check_plausible(trace, median_of(result.breaths, duration), median_of(result.breaths, tidal_volume));
-  judge(result.breaths, marks, found.drift);
-  check_any_kept(trace, result.breaths);
-
+  const Landmarks marks = landmarks(signal.time_s, signal.volume, found);
   subtract_baseline(signal, marks.rest, found.drift);
-  result.time_s = std::move(signal.time_s);
-  result.volume_m3 = std::move(signal.volume_m3);
-  result.sigma_m3 = trace.sigma_m3;
-  result.source = trace.source;
-  result.notes = trace.notes;
+
+  Segmentation result{std::move(signal.time_s),
+                      std::move(signal.volume),
+                      breaths_at(marks),
+                      trace.notes,
+                      trace.sigma_m3,
+                      trace.source,
+                      trace.kind != SignalKind::belt};
   result.notes.insert(result.notes.end(), signal.notes.begin(), signal.notes.end());
-  add_notes(result, found.drift);
+  const double period = median_of(result.breaths, duration), volume = median_of(result.breaths, tidal_volume);
+  check_period(trace, period);
+  if (result.calibrated && !selection.calibrate_tidal_volume_m3) check_tidal_volume(trace, volume);
+
+  const auto shifts = shifts_of(marks, found.drift);
+  judge(result, shifts, selection);
+  if (selection.calibrate_tidal_volume_m3) {
+    calibrate(result, *selection.calibrate_tidal_volume_m3);
+    judge(result, shifts, selection);
+  }
+  add_notes(result, found.drift * period / volume);
   return result;
 }
 

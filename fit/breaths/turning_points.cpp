@@ -8,7 +8,40 @@ namespace trunk {
 namespace {
 
 constexpr double threshold_of_rise = 0.3;
-constexpr double least_of_range = 0.1;
+constexpr double least_of_range = 0.001, least_of_noise = 10;
+constexpr double clearly_more = 0.1;  // of the record
+
+// A fixed point within a few rounds, as each round only adds or drops rises far from the median.
+std::vector<TurningPoint> settled(std::span<const double> signal, double threshold) {
+  auto turns = turning_points(signal, threshold);
+  for (int round = 0; round < 20; ++round) {
+    const double next = threshold_of_rise * median(rises(signal, turns));
+    if (next <= 0 || next == threshold) break;
+    threshold = next;
+    turns = turning_points(signal, threshold);
+  }
+  return turns;
+}
+
+// The part of the record in cycles, trough to trough (less 1 where these are too long), whose height above
+// their rests and length are within a factor of two of the median.
+double regular_part(std::span<const double> signal, const std::vector<TurningPoint>& turns, double longest) {
+  std::vector<double> heights, lengths;
+  for (std::size_t k = turns.empty() || turns[0].peak ? 1 : 0; k + 2 < turns.size(); k += 2) {
+    const double rests = 0.5 * (signal[turns[k].index] + signal[turns[k + 2].index]);
+    heights.push_back(signal[turns[k + 1].index] - rests);
+    lengths.push_back(static_cast<double>(turns[k + 2].index - turns[k].index));
+  }
+  const auto usual = [](double value, double middle) { return value > 0.5 * middle && value < 2 * middle; };
+  const double height = median(heights), length = median(lengths);
+  double part = length > longest ? -1 : 0;
+  for (std::size_t i = 0; i < lengths.size(); ++i)
+    if (usual(heights[i], height) && usual(lengths[i], length))
+      part += lengths[i] / static_cast<double>(signal.size());
+  return part;
+}
+
+}  // namespace
 
 std::vector<double> rises(std::span<const double> signal, const std::vector<TurningPoint>& turns) {
   std::vector<double> found;
@@ -16,8 +49,6 @@ std::vector<double> rises(std::span<const double> signal, const std::vector<Turn
     if (turns[k].peak) found.push_back(signal[turns[k].index] - signal[turns[k - 1].index]);
   return found;
 }
-
-}  // namespace
 
 std::vector<TurningPoint> turning_points(std::span<const double> signal, double threshold) {
   std::vector<TurningPoint> turns;
@@ -41,23 +72,19 @@ std::vector<TurningPoint> turning_points(std::span<const double> signal, double 
   return turns;
 }
 
-std::vector<TurningPoint> breath_turning_points(std::span<const double> volume) {
+std::vector<TurningPoint> breath_turning_points(std::span<const double> volume, double longest) {
   const auto [low, high] = std::minmax_element(volume.begin(), volume.end());
   const double range = *high - *low;
-  double threshold = threshold_of_rise * range;
-  auto turns = turning_points(volume, threshold);
-  while (rises(volume, turns).size() < 2 && threshold > least_of_range * range) {
-    threshold /= 2;
-    turns = turning_points(volume, threshold);
+  const double least =
+      std::min(std::max(least_of_range * range, least_of_noise * noise_deviation(volume)), 0.1 * range);
+  std::vector<TurningPoint> best;
+  double regular = -2;
+  for (double first = threshold_of_rise * range; first > least; first /= 2) {
+    auto turns = settled(volume, first);
+    const double found = regular_part(volume, turns, longest);
+    if (found > regular + clearly_more) regular = found, best = std::move(turns);
   }
-  // A fixed point within a few rounds, as each round only adds or drops rises far from the median.
-  for (int round = 0; round < 20; ++round) {
-    const double next = threshold_of_rise * median(rises(volume, turns));
-    if (next <= 0 || next == threshold) break;
-    threshold = next;
-    turns = turning_points(volume, threshold);
-  }
-  return turns;
+  return best;
 }
 
 }  // namespace trunk

@@ -17,11 +17,14 @@ struct TurningPoint {
 /// Fewer than two when the signal never moves by `threshold`.
 std::vector<TurningPoint> turning_points(std::span<const double> signal, double threshold);
 
+/// From each trough to the peak after it.
+std::vector<double> rises(std::span<const double> signal, const std::vector<TurningPoint>& turns);
+
 /// Turning points of breathing, the threshold at 0.3 of the median rise (our choice: a rise of under a third
-/// of a tidal volume is a wiggle of the breath around it). The scale comes from the signal: a first threshold
-/// of 0.3 of the range, which a sigh or a drift may fill, is halved down to about a tenth until two rises are
-/// seen, and then follows the median rise. Knows no unit of time or volume, so that wrong units can be told
-/// from what it finds.
-std::vector<TurningPoint> breath_turning_points(std::span<const double> volume);
+/// of a tidal volume is a wiggle of the breath around it). The scale comes from the signal: from 0.3 of the
+/// range, which a sigh or a drift may fill, first thresholds are halved and each follows the median rise;
+/// taken is the largest for which hardly more of the record (a tenth, our choice) would be regular cycles
+/// with a smaller one. Knows no unit of time or volume, so that wrong units can be told from what it finds.
+std::vector<TurningPoint> breath_turning_points(std::span<const double> volume, double longest);
 
 }  // namespace trunk

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <string>
 
 #include "breaths/robust.hpp"
 #include "errors/input_error.hpp"
@@ -11,15 +12,53 @@
 namespace trunk {
 namespace {
 
+std::string value_text(const Trace& trace, double value) {
+  if (trace.kind == SignalKind::belt) return number_text(value);
+  return trace.kind == SignalKind::flow ? number_text(value * 1e3) + " L/s"
+                                        : number_text(value * 1e6) + " ml";
+}
+
 void check_varies(const Trace& trace) {
   const auto [low, high] = std::minmax_element(trace.value.begin(), trace.value.end());
   if (*low < *high) return;
-  const bool flow = trace.kind == SignalKind::flow;
+  const bool flow = trace.kind == SignalKind::flow, belt = trace.kind == SignalKind::belt;
   throw InputError(
       trace.source, 0,
-      "all " + std::to_string(trace.value.size()) + " samples of the " + (flow ? "flow" : "volume") +
-          " are " + number_text(*low * (flow ? 1e3 : 1e6)) + (flow ? " L/s" : " ml") +
+      "all " + std::to_string(trace.value.size()) + " samples of the " +
+          (flow   ? "flow"
+           : belt ? "belt"
+                  : "volume") +
+          " are " + value_text(trace, *low) +
           "; expected a signal that varies with breathing; check the sensor or choose another column");
+}
+
+// Samples crowd at an extreme: near it there are hardly fewer than in a range four times as wide, where a
+// smooth top leaves half and a sharp one a quarter (our choice: two thirds of them, 1 % of all). What
+// is there at a jump, as a ventilator's constant flow, is not cut off.
+std::string saturation(const Trace& trace, double extreme, double range, const std::string& which) {
+  const auto within = [&](std::size_t i, double distance) {
+    return std::abs(trace.value[i] - extreme) <= distance * range;
+  };
+  double near = 0, wide = 0, jumps = 0, entries = 0;
+  for (std::size_t i = 0; i < trace.value.size(); ++i) {
+    near += within(i, 0.01) ? 1 : 0;
+    wide += within(i, 0.04) ? 1 : 0;
+    if (i == 0 || !within(i, 0.01) || within(i - 1, 0.01)) continue;
+    ++entries;
+    jumps += i == 1 || within(i - 2, 0.2) ? 0 : 1;
+  }
+  const double part = near / static_cast<double>(trace.value.size());
+  if (near < 5 || part < 0.01 || near < 0.65 * wide || jumps > 0.5 * entries) return "";
+  return number_text(100 * part, 2) + " % of the samples lie at the " + which + " value, " +
+         value_text(trace, extreme) + ": clipped, or held there";
+}
+
+void note_saturation(const Trace& trace, std::vector<std::string>& notes) {
+  const auto [low, high] = std::minmax_element(trace.value.begin(), trace.value.end());
+  notes.push_back(saturation(trace, *high, *high - *low, "highest"));
+  // A volume may rest at its lowest.
+  if (trace.kind == SignalKind::flow) notes.push_back(saturation(trace, *low, *high - *low, "lowest"));
+  std::erase(notes, "");
 }
 
 // The range without its outer 5 % on either side: what a few wild samples cannot change.
@@ -33,28 +72,50 @@ double central_range(std::vector<double> values) {
   return at(0.95) - low;
 }
 
-// The largest step between the samples around step i (from i-1 to i), the steps in [skip_first, skip_last]
-// excepted.
-double step_nearby(std::span<const double> signal, std::size_t skip_first, std::size_t skip_last) {
+// The steps between the samples around step i (from i-1 to i), the steps in [skip_first, skip_last] excepted.
+std::vector<double> steps_nearby(std::span<const double> signal, std::size_t skip_first,
+                                 std::size_t skip_last) {
   constexpr std::size_t reach = 3;
-  double largest = 0;
+  std::vector<double> steps;
   const std::size_t first = skip_first > reach ? skip_first - reach : 1;
   for (std::size_t k = first; k <= std::min(skip_last + reach, signal.size() - 1); ++k)
-    if (k < skip_first || k > skip_last) largest = std::max(largest, std::abs(signal[k] - signal[k - 1]));
-  return largest;
+    if (k < skip_first || k > skip_last) steps.push_back(std::abs(signal[k] - signal[k - 1]));
+  return steps;
 }
 
-// A spike leaves and comes back at once. Our choice: a fifth of the central range, ten times the steps
-// nearby.
-std::size_t repair_spikes(std::vector<double>& signal) {
+// The length of a spike that begins at sample i, or 0. It leaves at once, stays on one side and comes back at
+// once, nearly to where it left. Our choice: a fifth of the central range, five times the steps nearby (their
+// median: spikes may be close), back within half its height.
+std::size_t spike_at(std::span<const double> signal, std::size_t i, std::size_t longest, double least) {
+  const double before = signal[i - 1], up = signal[i] - before;
+  if (std::abs(up) <= least) return 0;
+  const double side = up > 0 ? 1 : -1;
+  double lowest = std::abs(up);
+  for (std::size_t k = 1; k <= longest && i + k < signal.size(); ++k) {
+    const double back = side * (signal[i + k - 1] - signal[i + k]), left = side * (signal[i + k] - before);
+    if (back > least && std::abs(left) < 0.5 * lowest &&
+        std::min(std::abs(up), back) > 5 * median(steps_nearby(signal, i, i + k)))
+      return k;
+    lowest = std::min(lowest, left);
+    if (lowest <= least) return 0;
+  }
+  return 0;
+}
+
+// Spikes up to five samples and a tenth of a second, whichever is shorter; a single sample may last longer.
+std::size_t repair_spikes(std::span<const double> time, std::vector<double>& signal) {
   const double least = 0.2 * central_range(signal);
+  const double step = (time.back() - time.front()) / static_cast<double>(time.size() - 1);
+  const auto longest = static_cast<std::size_t>(std::clamp(0.1 / step, 1.0, 5.0));
   std::size_t repaired = 0;
   for (std::size_t i = 1; i + 1 < signal.size(); ++i) {
-    const double up = signal[i] - signal[i - 1], down = signal[i] - signal[i + 1];
-    const double height = std::min(std::abs(up), std::abs(down));
-    if (up * down <= 0 || height <= least) continue;
-    if (height <= 10 * step_nearby(signal, i, i + 1)) continue;
-    signal[i] = 0.5 * (signal[i - 1] + signal[i + 1]);
+    const std::size_t length = spike_at(signal, i, longest, least);
+    if (length == 0) continue;
+    const double before = signal[i - 1], after = signal[i + length];
+    for (std::size_t k = 0; k < length; ++k)
+      signal[i + k] =
+          before + (after - before) * static_cast<double>(k + 1) / static_cast<double>(length + 1);
+    i += length - 1;
     ++repaired;
   }
   return repaired;
@@ -67,19 +128,24 @@ std::vector<double> integrated(std::span<const double> time, std::span<const dou
   return volume;
 }
 
-// A reset lands on zero from a distance the steps around it do not explain. Our choice: 4 times those steps,
-// at least 1 % of the range, and zero to within 2 % of the range. Smaller jumps are left: they count as
-// drift.
+double largest(const std::vector<double>& values) {
+  return values.empty() ? 0 : *std::max_element(values.begin(), values.end());
+}
+
+// A reset lands on zero from a distance the steps around it do not explain. Our choice: 2.5 times those
+// steps, at least 5 % of the range and 8 deviations of the noise, and zero to within 2 % of the range.
+// Smaller jumps are left: they count as drift.
 std::size_t remove_resets(std::vector<double>& volume) {
   const std::vector<double> raw = volume;
   const double range = central_range(raw);
+  const double least = std::max(0.05 * range, 8 * noise_deviation(raw));
   double offset = 0;
   std::size_t resets = 0;
   for (std::size_t i = 1; i < raw.size(); ++i) {
-    const double jump = raw[i] - raw[i - 1], nearby = step_nearby(raw, i, i);
+    const double jump = raw[i] - raw[i - 1];
     const bool lands_on_zero = std::abs(raw[i]) <= 0.02 * range;
     // A jump is followed by ordinary steps; an outlier would step back.
-    if (lands_on_zero && std::abs(jump) > 0.05 * range && std::abs(jump) > 4 * nearby) {
+    if (lands_on_zero && std::abs(jump) > least && std::abs(jump) > 2.5 * largest(steps_nearby(raw, i, i))) {
       const double step_before = i >= 2 ? raw[i - 1] - raw[i - 2] : 0;
       offset += step_before - jump;
       ++resets;
@@ -94,15 +160,16 @@ std::size_t remove_resets(std::vector<double>& volume) {
 VolumeSignal volume_signal(const Trace& trace) {
   check_varies(trace);
   VolumeSignal signal{trace.time_s, trace.value, {}};
+  note_saturation(trace, signal.notes);
   const auto note = [&](std::size_t count, const std::string& what) {
     if (count > 0) signal.notes.push_back(std::to_string(count) + " " + what);
   };
-  note(repair_spikes(signal.volume_m3),
-       "isolated spike(s) of one sample replaced by the mean of their neighbours");
+  note(repair_spikes(signal.time_s, signal.volume),
+       "spike(s) replaced by a line between the samples beside them");
   if (trace.kind == SignalKind::flow)
-    signal.volume_m3 = integrated(signal.time_s, signal.volume_m3);
+    signal.volume = integrated(signal.time_s, signal.volume);
   else
-    note(remove_resets(signal.volume_m3), "reset(s) of the volume to zero undone");
+    note(remove_resets(signal.volume), "reset(s) of the volume to zero undone");
   return signal;
 }
 

@@ -9,7 +9,9 @@ namespace trunk {
 namespace {
 
 constexpr double rest_tolerance = 0.1;  // of a height
+constexpr double clear_of_edge = 0.1;   // of a cycle
 constexpr std::size_t many_breaths = 4;
+constexpr double longest_breath_s = 30;
 
 using Samples = std::span<const double>;
 using Turns = std::vector<TurningPoint>;
@@ -38,28 +40,22 @@ std::vector<double> averaged_for_turns(Samples volume) {
   return moving_average(volume, averaging_width(noise_deviation(volume), allowed, volume.size() / 100));
 }
 
-std::vector<double> rises(Samples volume, const Turns& turns) {
-  std::vector<double> found;
-  for (std::size_t k = 1; k < turns.size(); ++k)
-    if (turns[k].peak) found.push_back(volume[turns[k].index] - volume[turns[k - 1].index]);
-  return found;
-}
-
 struct Found {
   Turns turns;
   std::vector<double> heights;
 };
 
-Found turns_in(const std::vector<double>& level) {
-  Turns turns = breath_turning_points(level);
+Found turns_in(Samples time, const std::vector<double>& level) {
+  const double step = (time.back() - time.front()) / static_cast<double>(time.size() - 1);
+  Turns turns = breath_turning_points(level, longest_breath_s / step);
   auto heights = rises(level, turns);
   return {std::move(turns), std::move(heights)};
 }
 
 // A line through many breaths shows their drift; through a few it shows where the record cuts them.
 Found turns_of(Samples time, Samples volume) {
-  auto found = turns_in(averaged_for_turns(without_line(time, volume)));
-  return found.heights.size() >= many_breaths ? found : turns_in(averaged_for_turns(volume));
+  auto found = turns_in(time, averaged_for_turns(without_line(time, volume)));
+  return found.heights.size() >= many_breaths ? found : turns_in(time, averaged_for_turns(volume));
 }
 
 // Troughs between two peaks are rests.
@@ -78,21 +74,33 @@ double drift_through(Samples time, Samples volume, const std::vector<std::size_t
   return median(std::move(slopes));
 }
 
-// From one sample to another, drift aside.
-double rise_between(Samples time, Samples volume, const WholeBreaths& found, std::size_t from,
-                    std::size_t to) {
-  return volume[to] - volume[from] - found.drift * (time[to] - time[from]);
+// The drift at one end of the record, where it may differ: through the three rests there.
+double drift_near(Samples time, Samples volume, const std::vector<std::size_t>& inner, bool front,
+                  double drift) {
+  constexpr std::size_t few = 3;
+  if (inner.size() < few) return drift;
+  const auto begin = front ? inner.begin() : inner.end() - few;
+  return drift_through(time, volume, {begin, begin + few});
 }
 
-// The first and the last turn are rests only at the level of the nearest other rest.
+// The first and the last turn are rests where the record goes on beyond them, or at the level of the nearest
+// other rest.
 void drop_cut_breaths(Samples time, Samples volume, const std::vector<std::size_t>& inner,
                       const WholeBreaths& found, Turns& turns) {
   const auto at_rest = [&](std::size_t sample, std::size_t other) {
-    return rise_between(time, volume, found, other, sample) <= rest_tolerance * found.height;
+    const double drift = drift_near(time, volume, inner, sample < other, found.drift);
+    const double rise = volume[sample] - volume[other] - drift * (time[sample] - time[other]);
+    return rise <= rest_tolerance * found.height;
   };
   const std::size_t first = turns.front().index, last = turns.back().index;
-  const bool first_cut = turns.front().peak || !at_rest(first, inner.empty() ? last : inner.front());
-  const bool last_cut = turns.back().peak || !at_rest(last, inner.empty() ? first : inner.back());
+  const auto inside = [&](std::size_t from, std::size_t until) {
+    const auto cycle = static_cast<double>(last - first) / static_cast<double>(inner.size() + 1);
+    return static_cast<double>(until - from) > clear_of_edge * cycle;
+  };
+  const bool first_cut =
+      turns.front().peak || (!inside(0, first) && !at_rest(first, inner.empty() ? last : inner.front()));
+  const bool last_cut = turns.back().peak || (!inside(last, volume.size() - 1) &&
+                                              !at_rest(last, inner.empty() ? first : inner.back()));
   if (last_cut) turns.pop_back();
   if (first_cut) turns.erase(turns.begin());
   if (!turns.empty() && turns.front().peak) turns.erase(turns.begin());
@@ -102,8 +110,9 @@ void drop_cut_breaths(Samples time, Samples volume, const std::vector<std::size_
 // A last expiration ends with the record, unless the next inspiration is already seen.
 void extend_to_end(Samples time, Samples volume, const WholeBreaths& found, Turns& turns) {
   const std::size_t end = volume.size() - 1;
-  if (rise_between(time, volume, found, turns.back().index, end) <= rest_tolerance * found.height)
-    turns.back().index = end;
+  const std::size_t last = turns.back().index;
+  const double rise = volume[end] - volume[last] - found.drift * (time[end] - time[last]);
+  if (rise <= rest_tolerance * found.height) turns.back().index = end;
 }
 
 }  // namespace

@@ -1,73 +1,51 @@
-#include <fmt/format.h>
+#include <span>
 
-#include "breaths/mean_breath.hpp"
+#include "commands/breath_options.hpp"
+#include "commands/breath_table.hpp"
 #include "commands/commands.hpp"
 #include "commands/trace_options.hpp"
+#include "results/target_file.hpp"
 
 namespace trunk {
 namespace {
 
 struct BreathsRequest {
-  std::string trace;
+  std::string trace, csv;
   SignalOptions signal;
+  BreathSelection selection;
+  bool curve = false;
 };
 
 Exit breaths_command(const Common& common, const BreathsRequest& request) {
-  const Segmentation s = segment_breaths(read_signal(request.trace, request.signal));
-  Json list = Json::array();
-  std::string text = "  breath   onset s    peak s     end s  tidal ml  kept\n";
-  int number = 0, kept = 0;
-  for (const Breath& b : s.breaths) {
-    ++number;
-    kept += b.kept ? 1 : 0;
-    list.push_back({{"number", number},
-                    {"onset_s", b.onset_s},
-                    {"peak_s", b.peak_s},
-                    {"end_s", b.end_s},
-                    {"tidal_volume_ml", 1e6 * b.tidal_volume_m3},
-                    {"kept", b.kept},
-                    {"reason", b.reason}});
-    text += fmt::format("  {:>6} {:>9.2f} {:>9.2f} {:>9.2f} {:>9.0f}  {}\n", number, b.onset_s, b.peak_s,
-                        b.end_s, 1e6 * b.tidal_volume_m3, b.kept ? "yes" : "no: " + b.reason);
+  if (!request.csv.empty()) {
+    require_apart({request.trace}, {request.csv});
+    require_writable_target(request.csv, common.force);
+  }
+  const Segmentation s = segment_breaths(read_signal(request.trace, request.signal), request.selection);
+  if (!request.csv.empty()) {
+    const std::string csv = breaths_csv(s);
+    replace_file(request.csv, std::as_bytes(std::span(csv)));
   }
   for (const std::string& note : s.notes) print_note("note: " + note);
-  Json json{{"schema", "trunk.breaths/1"}, {"breaths_found", number}, {"breaths_kept", kept}};
-  text += fmt::format("{} breaths found, {} kept", number, kept);
-  if (kept > 0) {
-    const MeasuredBreath mean = mean_breath(s);
-    json["tidal_volume_ml"] = 1e6 * mean.tidal_volume_m3;
-    json["inspiration_s"] = mean.inspiration_s;
-    json["duration_s"] = mean.duration_s;
-    text += fmt::format("; mean: tidal volume {:.0f} ml, inspiration {:.2f} s of {:.2f} s",
-                        1e6 * mean.tidal_volume_m3, mean.inspiration_s, mean.duration_s);
-  }
-  json["breaths"] = list;
-  print_result(common, json, text);
+  Json json = breaths_json(s);
+  if (request.curve) json["curve"] = curve_json(s);
+  print_result(common, json, breaths_text(s));
   return Exit::done;
 }
 
 }  // namespace
 
-void add_signal_options(CLI::App& command, SignalOptions& options) {
-  command.add_option("--time", options.columns.time_column, "name of the time column, if it is not time_s");
-  command.add_option("--signal", options.columns.value_column,
-                     "name of the flow or volume column; its unit must end the name");
-  command.add_flag("--invert", options.invert, "the signal is positive on expiration: turn its sign");
-}
-
-Trace read_signal(const std::string& path, const SignalOptions& options) {
-  Trace trace = read_trace(path, options.columns);
-  if (options.invert)
-    for (double& value : trace.value) value = -value;
-  return trace;
-}
-
 void add_breaths(CLI::App& app, Common& common, Run& run) {
   auto* command = app.add_subcommand("breaths", "Show what segmentation makes of a trace");
   const auto request = std::make_shared<BreathsRequest>();
-  command->add_option("TRACE", request->trace, "lung volume or flow trace (CSV)")->required();
+  command->add_option("TRACE", request->trace, "trace of volume, flow or belt (text table, MATLAB, EDF, BDF)")
+      ->required();
   add_signal_options(*command, request->signal);
+  add_breath_options(*command, request->selection);
+  command->add_option("--csv", request->csv, "also write the breaths as a table");
+  command->add_flag("--curve", request->curve, "add to --json the volume without drift, 50 samples a second");
   command->add_flag("--json", common.json, "print one JSON object");
+  command->add_flag("--force", common.force, "replace the table if it exists");
   command->callback(
       [&common, &run, request] { run = [&common, request] { return breaths_command(common, *request); }; });
 }

@@ -1,8 +1,10 @@
 #include <fmt/format.h>
 
+#include <optional>
+
 #include "breaths/mean_breath.hpp"
+#include "commands/check_fit.hpp"
 #include "commands/commands.hpp"
-#include "commands/trace_options.hpp"
 #include "dynamics/stability.hpp"
 #include "io/scenario_file.hpp"
 #include "io/scenario_keys.hpp"
@@ -11,10 +13,16 @@ namespace trunk {
 namespace {
 
 struct CheckRequest {
-  std::string scenario, trace;
-  std::vector<std::string> settings;
-  SignalOptions signal;
+  FitRequest fit;  // of which a check looks at all but the search
   bool keys = false;
+};
+
+/// What a check gathers; all of the mistakes are told, not only the first.
+struct Findings {
+  Mistakes mistakes;
+  std::vector<std::string> notes;
+  Json json{{"schema", "trunk.check/1"}};
+  std::string text;
 };
 
 void print_keys() {
@@ -48,6 +56,86 @@ Json keys_json() {
   return {{"schema", "trunk.check/1"}, {"keys", keys}};
 }
 
+std::optional<ScenarioFile> check_scenario(const CheckRequest& request, Findings& findings) {
+  std::optional<ScenarioFile> file;
+  findings.mistakes.gather([&] { file = read_scenario(request.fit.scenario, request.fit.settings); });
+  if (!file) return file;
+  findings.mistakes.gather([&] {
+    const Trunk trunk = build_trunk(*file);
+    const double bound_s = stable_time_step(trunk.model, file->scenario.parameters);
+    findings.json["scenario"] = request.fit.scenario;
+    findings.json["particles"] = trunk.model.particles();
+    findings.json["steps"] = file->scenario.time.steps();
+    findings.json["stable_dt_s"] = json_number(bound_s);
+    findings.text += fmt::format("{}: good. {} particles, {} steps of {:g} ms (stable below {:.3g} ms)\n",
+                                 request.fit.scenario, trunk.model.particles(), file->scenario.time.steps(),
+                                 1e3 * file->scenario.time.dt_s, 1e3 * bound_s);
+  });
+  return file;
+}
+
+/// What a fit would go on with all the same, and the user should know (bounds are our choice).
+void note_doubts(const MeasuredBreath& breath, const Trace& trace, std::vector<std::string>& notes) {
+  constexpr int few_breaths = 3;
+  constexpr double deep_m3 = 2e-3, few_samples = 10;
+  if (breath.breaths_used < few_breaths)
+    notes.push_back(fmt::format(
+        "{} breath(s) used: the spread from breath to breath is not known from so few", breath.breaths_used));
+  if (breath.tidal_volume_m3 > deep_m3)
+    notes.push_back(
+        fmt::format("a tidal volume of {:.0f} ml is beyond what the model was made for (quiet breathing "
+                    "and exercise up to 2000 ml)",
+                    1e6 * breath.tidal_volume_m3));
+  const double step_s =
+      (trace.time_s.back() - trace.time_s.front()) / static_cast<double>(trace.time_s.size() - 1);
+  if (breath.inspiration_s < few_samples * step_s)
+    notes.push_back(
+        fmt::format("{:.1f} samples an inspiration: too few for its timing", breath.inspiration_s / step_s));
+}
+
+void check_trace(const CheckRequest& request, Findings& findings) {
+  findings.mistakes.gather([&] {
+    const Trace trace = read_signal(request.fit.trace, request.fit.signal);
+    const Segmentation segmentation = segment_breaths(trace, request.fit.selection);
+    const MeasuredBreath breath = mean_breath(segmentation);
+    findings.notes.insert(findings.notes.end(), segmentation.notes.begin(), segmentation.notes.end());
+    note_doubts(breath, trace, findings.notes);
+    findings.json["breaths_used"] = breath.breaths_used;
+    findings.json["tidal_volume_ml"] = 1e6 * breath.tidal_volume_m3;
+    findings.text +=
+        fmt::format("{}: good. {} breaths used, {} rejected, tidal volume {:.0f} ml, {:.2f} s a breath\n",
+                    request.fit.trace, breath.breaths_used, breath.breaths_rejected,
+                    1e6 * breath.tidal_volume_m3, breath.duration_s);
+  });
+}
+
+/// The file of a mistake that names no line is known by its name at the front.
+Json problem_json(const std::string& text, const CheckRequest& request) {
+  Mistake mistake = mistake_of(text);
+  for (const std::string& name : {request.fit.scenario, request.fit.trace})
+    if (mistake.file.empty() && !name.empty() && text.starts_with(name + ": "))
+      mistake = {name, 0, text.substr(name.size() + 2)};
+  return {{"file", mistake.file.empty() ? Json(nullptr) : Json(mistake.file)},
+          {"line", mistake.line == 0 ? Json(nullptr) : Json(mistake.line)},
+          {"text", mistake.text}};
+}
+
+Exit print_findings(const Common& common, const CheckRequest& request, Findings& findings) {
+  const bool good = findings.mistakes.empty();
+  Json problems = Json::array();
+  for (const std::string& text : findings.mistakes.sorted()) {
+    print_note("trunk: " + text);
+    problems.push_back(problem_json(text, request));
+  }
+  for (const std::string& note : findings.notes)
+    if (good) print_note("note: " + note);
+  findings.json["problems"] = problems;
+  findings.json["notes"] = findings.notes;
+  if (!findings.text.empty()) findings.text.pop_back();  // its line end
+  if (good || common.json) print_result(common, findings.json, findings.text);
+  return good ? Exit::done : Exit::bad_input;
+}
+
 Exit check_command(const Common& common, const CheckRequest& request) {
   if (request.keys) {
     if (common.json)
@@ -56,40 +144,25 @@ Exit check_command(const Common& common, const CheckRequest& request) {
       print_keys();
     return Exit::done;
   }
-  if (request.scenario.empty()) throw CLI::RequiredError("SCENARIO");
-  const ScenarioFile file = read_scenario(request.scenario, request.settings);
-  const Trunk trunk = build_trunk(file);
-  const double bound_s = stable_time_step(trunk.model, file.scenario.parameters);
-  Json json{{"schema", "trunk.check/1"},
-            {"scenario", request.scenario},
-            {"particles", trunk.model.particles()},
-            {"steps", file.scenario.time.steps()},
-            {"stable_dt_s", json_number(bound_s)}};
-  std::string text = fmt::format("{}: good. {} particles, {} steps of {:g} ms (stable below {:.3g} ms)",
-                                 request.scenario, trunk.model.particles(), file.scenario.time.steps(),
-                                 1e3 * file.scenario.time.dt_s, 1e3 * bound_s);
-  if (!request.trace.empty()) {
-    const MeasuredBreath breath = mean_breath(segment_breaths(read_signal(request.trace, request.signal)));
-    json["breaths_used"] = breath.breaths_used;
-    json["tidal_volume_ml"] = 1e6 * breath.tidal_volume_m3;
-    text += fmt::format("\n{}: good. {} breaths used, {} rejected, tidal volume {:.0f} ml, {:.2f} s a breath",
-                        request.trace, breath.breaths_used, breath.breaths_rejected,
-                        1e6 * breath.tidal_volume_m3, breath.duration_s);
-  }
-  print_result(common, json, text);
-  return Exit::done;
+  if (request.fit.scenario.empty() && request.fit.trace.empty())
+    throw CLI::RequiredError("SCENARIO or --trace");
+  const FitRequest& fit = request.fit;
+  Findings findings;
+  std::optional<ScenarioFile> file;
+  if (!fit.scenario.empty()) file = check_scenario(request, findings);
+  if (!fit.trace.empty()) check_trace(request, findings);
+  check_fit(fit, file, findings.mistakes);
+  return print_findings(common, request, findings);
 }
 
 }  // namespace
 
 void add_check(CLI::App& app, Common& common, Run& run) {
-  auto* command = app.add_subcommand("check", "Validate a scenario and a trace; simulate nothing");
+  auto* command =
+      app.add_subcommand("check", "List all mistakes in a scenario and a trace; simulate nothing");
   const auto request = std::make_shared<CheckRequest>();
-  command->add_option("SCENARIO", request->scenario, "scenario file (TOML)");
-  command->add_option("--trace", request->trace, "lung volume or flow trace (CSV)");
-  command->add_option("--set", request->settings, "key=value, over the scenario; may be repeated")
-      ->take_all();
-  add_signal_options(*command, request->signal);
+  command->add_option("SCENARIO", request->fit.scenario, "scenario file (TOML)");
+  add_subject_options(*command, request->fit);
   command->add_flag("--keys", request->keys, "list all keys of a scenario with units, limits and defaults");
   command->add_flag("--json", common.json, "print one JSON object");
   command->callback(

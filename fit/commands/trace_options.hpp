@@ -6,13 +6,15 @@
 
 namespace trunk {
 
-/// How to read the user's signal: which columns, which sign.
+/// How to read the user's signal: which columns, in which units, which sign.
 struct SignalOptions {
-  TraceOptions columns;
+  std::string time, signal, flow, volume, belt;  ///< as given; of the last four at most one
+  std::string unit, time_unit;
+  double rate_hz = 0;
   bool invert = false;
 };
 
-/// --time, --signal and --invert.
+/// --time, --flow, --volume, --belt, --signal, --unit, --time-unit, --rate and --invert.
 void add_signal_options(CLI::App& command, SignalOptions& options);
 
 /// Reads a trace and turns its sign where asked.

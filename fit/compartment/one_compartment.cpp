@@ -32,7 +32,8 @@ struct Problem {
     const Eigen::VectorXd measured =
         Eigen::VectorXd::Map(target.delta_v.data(), static_cast<Eigen::Index>(target.delta_v.size()));
     const double drive = unit.dot(measured) / std::max(unit.squaredNorm(), 1e-300);
-    return {drive, rate, (drive * unit - measured).squaredNorm()};
+    const Eigen::VectorXd residuals = drive * unit - measured;
+    return {drive, rate, residuals.squaredNorm(), residuals};
   }
 };
 
@@ -77,14 +78,17 @@ BreathActivation<double> timed_by_one_compartment(const Target& target,
     a.slow_fall_s = std::exp(x[2]);
     return a;
   };
+  const auto outcomes = [&](const std::vector<Eigen::VectorXd>& some) {
+    std::vector<Outcome> all;
+    for (const Eigen::VectorXd& x : some)
+      all.push_back({std::nullopt, Problem{target, timed(x)}.at(std::exp(x[3])).residual_sum});
+    return all;
+  };
   const double shortest = std::log(0.02), longest = std::log(target.time_s.back());
-  const SearchProblem problem{[&](const Eigen::VectorXd& x) {
-                                return Problem{target, timed(x)}.at(std::exp(x[3])).residual_sum;
-                              },
-                              Eigen::Vector4d(shortest, shortest, shortest, std::log(slowest_rate)),
-                              Eigen::Vector4d(longest, longest, longest, std::log(fastest_rate))};
+  const LeastSquares problem{outcomes, Eigen::Vector4d(shortest, shortest, shortest, std::log(slowest_rate)),
+                             Eigen::Vector4d(longest, longest, longest, std::log(fastest_rate))};
   SearchOptions options;
-  options.algorithm = "sbplx";
+  options.algorithm = "sbplx";  // the sum of squares has corners where a knot passes a sample
   options.coordinate_tolerance = 1e-4;
   options.objective_tolerance = 1e-9;
   options.max_evaluations = 3000;

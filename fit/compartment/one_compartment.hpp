@@ -11,6 +11,7 @@ struct OneCompartment {
   double drive = 0.0;         // P_max / R, m3/s
   double rate = 0.0;          // E / R, 1/s
   double residual_sum = 0.0;  // sum of squares, m6
+  Eigen::VectorXd residuals;  // [samples] m3, model minus measured
 };
 
 /// Least squares over both numbers: the drive enters linearly, the rate is found by a golden section over

@@ -1,100 +1,209 @@
 #include "estimation/estimate.hpp"
 
-#include "estimation/start.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <thread>
+
+#include "search/multistart.hpp"
 
 namespace trunk {
 namespace {
 
-/// The highest sample's place in a curve.
-std::size_t peak_of(const double* values, std::size_t count) {
-  return static_cast<std::size_t>(std::max_element(values, values + count) - values);
+constexpr double coarse = 1e-3;        // where a first search may stop: another one follows
+constexpr double close_enough = 1e-4;  // in coordinates, between two methods
+constexpr std::size_t most_without_derivatives = 4;
+
+using Indices = std::vector<Eigen::Index>;
+
+Indices first_ones(std::size_t count) {
+  Indices indices(count);
+  std::iota(indices.begin(), indices.end(), Eigen::Index{0});
+  return indices;
 }
 
-Quality quality_of(const Target& target, const Eigen::VectorXd& model,
-                   const BreathActivation<double>& activation) {
-  Quality q;
-  const auto n = target.delta_v.size();
-  const auto count = static_cast<Eigen::Index>(n);
-  const Eigen::VectorXd measured = Eigen::VectorXd::Map(target.delta_v.data(), count);
-  q.tidal_volume_m3 = measured.maxCoeff();
-  const auto normalised = [&](double sum_of_squares) {
-    return std::sqrt(sum_of_squares / static_cast<double>(n)) / q.tidal_volume_m3;
+/// What a method without derivatives can check: the mechanical ones asked for, in the end a handful.
+Indices mechanical(const SearchSpace& space) {
+  Indices indices;
+  for (std::size_t i = 0; i < space.asked_for(); ++i)
+    if (space.parameter(i).group == FreeParameter::Group::mechanics)
+      indices.push_back(static_cast<Eigen::Index>(i));
+  return indices;
+}
+
+class Fitting {
+ public:
+  Fitting(Objective& objective, const EstimationOptions& options, Estimation& result)
+      : objective_(objective),
+        space_(objective.space()),
+        options_(options),
+        result_(result),
+        problem_(objective.problem()) {
+    if (options.search.algorithm.empty())
+      result.algorithm = space_.asked_for() > most_without_derivatives || objective.target().is_tidal_volume()
+                             ? "lm"
+                             : "bobyqa";
+    else
+      result.algorithm = options.search.algorithm;
+  }
+
+  void run() {
+    search_from_starts();
+    if (!result_.search.converged) return;
+    finish();
+    if (options_.loss == Loss::squares) return;
+    const Eigen::VectorXd residuals = residuals_at(result_.search.best);
+    objective_.charge(options_.loss, std::max(median_deviation(residuals), 1e-9));
+    result_.search.objective = problem_.at(result_.search.best).objective;
+    finish();
+  }
+
+ private:
+  Eigen::VectorXd residuals_at(const Eigen::VectorXd& x) {
+    return (*objective_.model(x) - objective_.measured()).cwiseQuotient(objective_.deviation());
+  }
+
+  /// A search over some coordinates, the others held at those of `at`; the result has all.
+  SearchResult search(const Indices& free, const Eigen::VectorXd& at, const Eigen::VectorXd& from,
+                      const SearchOptions& options) {
+    const LeastSquares part = with_fixed(problem_, at, free);
+    SearchResult found = minimise(part, from(free), options);
+    Eigen::VectorXd all = at;
+    all(free) = found.best;
+    found.best = all;
+    return found;
+  }
+
+  void search_from_starts() {
+    SearchOptions options = options_.search;
+    options.algorithm = result_.algorithm;
+    if (!objective_.target().is_tidal_volume())
+      options.coordinate_tolerance = std::max(coarse, options.coordinate_tolerance);
+    const Indices asked_for = first_ones(space_.asked_for());
+    std::vector<Eigen::VectorXd> starts = {space_.start()};
+    const LeastSquares part = with_fixed(problem_, starts[0], asked_for);
+    for (const Eigen::VectorXd& x :
+         sobol_starts(part, static_cast<std::size_t>(options_.starts - 1), options.seed)) {
+      starts.push_back(starts[0]);
+      starts.back()(asked_for) = x;
+    }
+    for (const Eigen::VectorXd& start : starts) {
+      const Eigen::VectorXd near = start_at_tidal_volume(objective_, start);
+      const SearchResult found = search(asked_for, near, near, options);
+      result_.starts.push_back({start, found.best, found.objective, found.converged});
+      if (result_.starts.size() == 1 || found.objective < result_.search.objective) result_.search = found;
+    }
+  }
+
+  /// From a coarse optimum to the best point, by two methods.
+  void finish() {
+    const Eigen::VectorXd coarse_best = result_.search.best;
+    if (result_.algorithm != "lm" || space_.size() > space_.asked_for() || options_.loss != Loss::squares) {
+      adopt(levenberg_marquardt(problem_, coarse_best, finisher()));
+    }
+    const Indices some = mechanical(space_);
+    if (!options_.cross_check || some.empty() || objective_.target().is_tidal_volume()) return;
+    SearchOptions options = options_.search;
+    options.algorithm = result_.algorithm == "lm" ? "bobyqa" : result_.algorithm;
+    options.first_step = 0.05;
+    const Eigen::VectorXd by_lm = result_.search.best;
+    const SearchResult check = search(some, by_lm, coarse_best, options);
+    const double apart = (check.best - by_lm).cwiseAbs().maxCoeff();
+    result_.cross_check = {options.algorithm, "lm", apart, apart <= close_enough};
+    if (check.objective < result_.search.objective * (1.0 - 1e-6)) {
+      adopt(check);
+      adopt(levenberg_marquardt(problem_, check.best, finisher()));
+    }
+  }
+
+  SearchOptions finisher() const {
+    SearchOptions lm = options_.search;
+    lm.max_evaluations *= 1 + static_cast<int>(space_.size()) / 2;
+    lm.objective_tolerance =
+        std::max(lm.objective_tolerance, space_.size() > space_.asked_for() ? 1e-5 : 1e-10);
+    return lm;
+  }
+
+  void adopt(SearchResult found) {
+    if (found.objective > result_.search.objective) {
+      found.best = result_.search.best;
+      found.objective = result_.search.objective;
+    }
+    result_.search = std::move(found);
+  }
+
+  Objective& objective_;
+  const SearchSpace& space_;
+  const EstimationOptions& options_;
+  Estimation& result_;
+  LeastSquares problem_;
+};
+
+/// What further simulations would take, from those done.
+double seconds_for(std::size_t simulations, const Estimation& e, const Execution& execution) {
+  double wall = 0.0;
+  for (const Evaluation& evaluation : e.evaluations) wall += evaluation.wall_s;
+  const unsigned threads =
+      execution.threads > 0 ? execution.threads : std::max(1u, std::thread::hardware_concurrency());
+  return wall / static_cast<double>(e.evaluations.size()) * static_cast<double>(simulations) / threads;
+}
+
+void add_uncertainty(Objective& objective, const EstimationOptions& options, Estimation& e) {
+  const SearchSpace& space = objective.space();
+  if (objective.samples() <= static_cast<Eigen::Index>(space.size())) {
+    e.uncertainty = without_uncertainty(objective, e.search.best);
+    return;
+  }
+  e.local = local_fit(objective, e.search.best);
+  if (!e.local) {
+    e.notes.push_back("the model cannot be simulated beside the best point: no uncertainty");
+    return;
+  }
+  e.uncertainty = assess(objective, *e.local);
+  if (e.cross_check && !e.cross_check->agree) {
+    const double smallest = e.local->covariance.diagonal()
+                                .head(static_cast<Eigen::Index>(space.asked_for()))
+                                .cwiseSqrt()
+                                .minCoeff();
+    e.cross_check->agree = e.cross_check->largest_difference <= 0.1 * smallest;
+  }
+  e.evaluations = objective.evaluations();
+  const auto affordable = [&](std::size_t simulations, const char* what, const char* option) {
+    const double needed = seconds_for(simulations, e, options.execution);
+    if (needed <= options.budget_s) return true;
+    e.notes.push_back(
+        fmt::format("no {}: it would take about {:.0f} s ({} forces it)", what, needed, option));
+    return false;
   };
-  q.nrmse = normalised((model - measured).squaredNorm());
-  q.tidal_volume_error_m3 = model.maxCoeff() - q.tidal_volume_m3;
-  if (target.is_tidal_volume()) return q;
-  q.peak_time_error_s = target.time_s[peak_of(model.data(), n)] - target.time_s[peak_of(measured.data(), n)];
-  q.baseline_nrmse = normalised(fit_one_compartment(target, activation).residual_sum);
-  return q;
-}
-
-/// Numbers from a model that misses the breath deserve a warning, however narrow their intervals.
-std::string caveat(const Quality& q) {
-  const double usual = 0.05;
-  if (q.baseline_nrmse <= 0.0 || q.nrmse < std::max(usual, 2.0 * q.baseline_nrmse)) return "";
-  return fmt::format(
-      " The model follows this breath poorly ({:.1f} % of tidal volume, a one-compartment model {:.1f} %): "
-      "trust its "
-      "numbers less than their intervals say.",
-      100.0 * q.nrmse, 100.0 * q.baseline_nrmse);
-}
-
-SearchResult search_twice(Objective& objective, const Eigen::VectorXd& start, SearchOptions options,
-                          const std::function<bool()>& cancelled) {
-  const SearchProblem problem{[&](const Eigen::VectorXd& x) { return objective(x); },
-                              objective.space().lower(), objective.space().upper()};
-  const Eigen::VectorXd near = start_at_tidal_volume(objective, start);
-  const SearchResult first = minimise(problem, near, options, cancelled);
-  if (!first.converged) return first;
-  options.first_step *= 0.1;
-  return minimise(problem, first.best, options, cancelled);
+  const int points = 4;
+  if (options.profiles && affordable(space.asked_for() * 3 * (2 * points), "profiles", "--profiles"))
+    e.profiles = profiles(objective, *e.local, points);
+  const auto grid = static_cast<std::size_t>(options.surface_points);
+  if (grid > 0 && space.asked_for() == 2 && affordable(grid * grid, "likelihood surface", "--surface"))
+    e.surface = likelihood_surface(objective, *e.local, options.surface_points);
+  if (options.bootstrap > 0)
+    e.bootstrap = bootstrap(objective, *e.local, options.bootstrap, options.search.seed);
 }
 
 }  // namespace
 
-Target target_of(const MeasuredBreath& breath) {
-  return {breath.time_s, breath.volume_m3};
-}
-
-void adopt_timing(const MeasuredBreath& breath, Scenario& scenario) {
-  auto& a = scenario.activation;
-  const std::size_t peak = peak_of(breath.volume_m3.data(), breath.volume_m3.size());
-  const double level = a.fast_fall_level * breath.volume_m3[peak];
-  std::size_t fallen = peak;
-  while (fallen + 1 < breath.volume_m3.size() && breath.volume_m3[fallen] > level) ++fallen;
-  const double shortest_s = 0.02;
-  a.onset_s = 0.0;
-  a.period_s = 0.0;
-  a.rise_s = std::max(shortest_s, breath.time_s[peak]);
-  a.fast_fall_s = std::max(shortest_s, breath.time_s[fallen] - breath.time_s[peak]);
-  a.slow_fall_s = std::max(shortest_s, breath.duration_s - breath.time_s[fallen]);
-  a = timed_by_one_compartment(target_of(breath), a);
-}
-
-Estimation estimate(const Trunk& trunk, const Scenario& scenario, const SearchSpace& space,
-                    const Target& target, const EstimationOptions& options,
-                    const std::function<bool()>& cancelled) {
-  Objective objective(trunk, scenario.time, space, target);
+Estimation estimate(const Trunk& trunk, const TimeGrid& grid, const SearchSpace& space, const Target& target,
+                    const EstimationOptions& options, Ledger& ledger, std::size_t timed) {
+  Objective objective(trunk, grid, space, target, ledger, options.execution);
   Estimation e;
-  e.search = search_twice(objective, space.start(), options.search, cancelled);
-  if (const Evaluation* best = objective.best()) {
-    const Eigen::VectorXd x = best->x;  // a copy: more evaluations follow
-    e.best = space.decode(x);
-    const VolumeCurve curve = simulate_volume(trunk, e.best.parameters, e.best.activation, scenario.time);
-    e.model = as_target_sees(target, curve.delta_v, scenario.time.dt_s);
-    e.quality = quality_of(target, e.model, e.best.activation);
-    if (e.search.converged) {
-      e.uncertainty = assess(objective, x, options.timing_from_trace);
-      e.uncertainty->verdict += caveat(e.quality);
-    }
+  Fitting(objective, options, e).run();
+  if (const auto model = objective.model(e.search.best)) {
+    e.best = space.decode(e.search.best);
+    e.model = *model;
+    e.quality = quality_of(target, e.model, space.size(), space.decode(space.start()).activation, timed);
+    if (e.search.converged) add_uncertainty(objective, options, e);
+    if (e.uncertainty) e.uncertainty->verdict += caveat(e.quality);
   }
   e.evaluations = objective.evaluations();
   e.failures = objective.failures();
+  e.simulated = objective.simulated();
   return e;
 }
 

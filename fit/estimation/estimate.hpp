@@ -1,55 +1,69 @@
 #pragma once
 
-#include <functional>
 #include <optional>
 
-#include "breaths/mean_breath.hpp"
-#include "compartment/one_compartment.hpp"
+#include "estimation/quality.hpp"
+#include "estimation/start.hpp"
 #include "search/minimise.hpp"
-#include "uncertainty/uncertainty.hpp"
+#include "uncertainty/bootstrap.hpp"
+#include "uncertainty/likelihood_surface.hpp"
 
 namespace trunk {
 
-/// How well a fitted curve meets the measured one.
-struct Quality {
-  double tidal_volume_m3 = 0.0;        // measured
-  double nrmse = 0.0;                  // RMS residual over tidal volume
-  double tidal_volume_error_m3 = 0.0;  // model minus measured
-  double peak_time_error_s = 0.0;      // model minus measured
-  double baseline_nrmse = 0.0;         // of the one-compartment model
+/// What is asked of an estimation.
+struct EstimationOptions {
+  SearchOptions search{.algorithm = ""};  // algorithm empty: bobyqa for up to 4 parameters, else lm
+  int starts = 1;                         // the scenario's own, the others spread over the bounds (Sobol)
+  Loss loss = Loss::squares;
+  bool cross_check = true;  // a second search by another method
+  bool profiles = true;
+  int surface_points = 11;  // along each of two parameters; 0: no surface
+  int bootstrap = 0;        // repeats
+  double budget_s = 10.0;   // profiles and surface are left out where each would take longer
+  Execution execution;
+};
+
+/// One local search, and where it ended.
+struct Start {
+  Eigen::VectorXd from, to;
+  double objective = 0.0;
+  bool converged = false;
+};
+
+/// Two methods side by side: one without derivatives over the mechanical parameters, Levenberg-Marquardt over
+/// everything.
+struct CrossCheck {
+  std::string first, second;
+  double largest_difference = 0.0;  // in coordinates: relative
+  bool agree = false;               // within 0.1 standard errors or 1e-4
 };
 
 /// The outcome of analysis by synthesis for one breath.
 struct Estimation {
   SearchResult search;
+  std::string algorithm;  // of the first search
+  std::vector<Start> starts;
+  std::optional<CrossCheck> cross_check;
   std::optional<Uncertainty> uncertainty;  // none where the search found nothing to stand on
+  std::optional<LocalFit> local;
+  std::vector<Profile> profiles;
+  std::optional<LikelihoodSurface> surface;
+  std::optional<Bootstrap> bootstrap;
+  std::vector<std::string> notes;  // what was left out, and why
   Candidate best;
-  Eigen::VectorXd model;  // at the target's samples, m3
+  Eigen::VectorXd model;  // at the target's samples, m3; empty where no simulation completed
   Quality quality;
   std::vector<Evaluation> evaluations;
   int failures = 0;
+  std::size_t simulated = 0;  // of the evaluations, not counting what the ledger knew
 };
 
-/// The target a measured breath makes.
-Target target_of(const MeasuredBreath& breath);
-
-/// Times the scenario's activation after a measured breath (our choice; the paper's 2 s, 0.5 s, 2 s are one
-/// subject's). The volume lags behind the muscle, so its own peak and fall are only the start: rise and falls
-/// are those with which a one-compartment model follows the breath best.
-void adopt_timing(const MeasuredBreath& breath, Scenario& scenario);
-
-/// What is asked of an estimation beside the search.
-struct EstimationOptions {
-  SearchOptions search;
-  bool timing_from_trace =
-      false;  // the scenario's activation was adopted from the trace: it is uncertain too
-};
-
-/// Fits the parameters named in `space` to `target`: a start at the measured tidal volume, a search, a second
-/// one from its best point with a smaller step, uncertainty, baseline. Throws InputError on a target or space
-/// that make no sense; a search that fails is reported in the result.
-Estimation estimate(const Trunk& trunk, const Scenario& scenario, const SearchSpace& space,
-                    const Target& target, const EstimationOptions& options,
-                    const std::function<bool()>& cancelled = {});
+/// Fits the parameters of `space` to `target`: starts at the measured tidal volume, local searches over what
+/// was asked for, Levenberg-Marquardt over everything from the best, a second search without derivatives as a
+/// check, then uncertainty. The space's start holds the activation given to the fit; `timed` numbers of it
+/// were taken from the trace. Throws InputError on a target or space that make no sense, Cancelled where told
+/// to stop; a search that fails is reported in the result.
+Estimation estimate(const Trunk& trunk, const TimeGrid& grid, const SearchSpace& space, const Target& target,
+                    const EstimationOptions& options, Ledger& ledger, std::size_t timed = 0);
 
 }  // namespace trunk

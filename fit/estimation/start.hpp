@@ -1,8 +1,18 @@
 #pragma once
 
+#include "breaths/mean_breath.hpp"
+#include "io/scenario_file.hpp"
 #include "problem/objective.hpp"
 
 namespace trunk {
+
+/// The target a measured breath makes. `weighted`: by the breath's own deviation of each sample.
+Target target_of(const MeasuredBreath& breath, bool weighted = false);
+
+/// Times the scenario's activation after a measured breath (our choice; the paper's 2 s, 0.5 s, 2 s are one
+/// subject's). The volume lags behind the muscle, so its own peak and fall are only the start: rise and falls
+/// are those with which a one-compartment model follows the breath best.
+void adopt_timing(const MeasuredBreath& breath, Scenario& scenario);
 
 /// Moves the coordinate of k_muscle until the model's peak volume is the measured one: a start near the
 /// valley from anywhere. Returns `start` where k_muscle is not free.

@@ -2,43 +2,63 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-
 #include "errors/input_error.hpp"
 
 namespace trunk {
 namespace {
 
-// Abdominal pressure swings in quiet breathing grow with k_elasticity, about 1 to 40 cmH2O between these (our
-// choice).
-constexpr double lowest_elasticity = 400.0, highest_elasticity = 16000.0;
-constexpr double lowest_ratio = 1e-5, highest_ratio = 1.0;  // k_muscle / k_elasticity; our choice
+using Group = FreeParameter::Group;
+using Scale = FreeParameter::Scale;
 
-double value_of(const FreeParameter& p, const Candidate& candidate) {
-  return p.field(const_cast<Candidate&>(candidate));  // the accessor serves reading and writing
+// What the trace tells of the timing beforehand, and how far a knot may leave its line (our choice).
+constexpr double timing_prior = 0.5, onset_prior_s = 0.1, shape_prior = 1.0;
+
+template <std::size_t Knot>
+FreeParameter knot(std::string_view name, std::string_view key) {
+  return {name,
+          "1",
+          key,
+          0.02,
+          20.0,
+          Group::shape,
+          [](Candidate& c) -> double& { return c.activation.shape[Knot]; },
+          Scale::factor,
+          shape_prior};
 }
 
 }  // namespace
 
 std::span<const FreeParameter> free_parameters() {
   static const FreeParameter all[] = {
-      {"k_elasticity", "N/m", "parameters.k_elasticity_N_per_m", lowest_elasticity, highest_elasticity,
+      // Abdominal pressure swings in quiet breathing grow with k_elasticity, about 1 to 40 cmH2O between
+      // these.
+      {"k_elasticity", "N/m", "parameters.k_elasticity_N_per_m", 400.0, 16000.0, Group::mechanics,
        [](Candidate& c) -> double& { return c.parameters.elasticity; }},
-      {"k_muscle", "N/m", "parameters.k_muscle_N_per_m", 0.01, 1e4,
+      {"k_muscle", "N/m", "parameters.k_muscle_N_per_m", 0.01, 1e4, Group::mechanics,
        [](Candidate& c) -> double& { return c.parameters.muscle; }},
-      {"damping", "N s/m", "parameters.damping_N_s_per_m", 0.5, 500.0,
+      {"damping", "N s/m", "parameters.damping_N_s_per_m", 0.5, 500.0, Group::mechanics,
        [](Candidate& c) -> double& { return c.parameters.damping; }},
-      {"abdomen_stiffness_factor", "1", "parameters.abdomen_stiffness_factor", 0.05, 20.0,
+      {"abdomen_stiffness_factor", "1", "parameters.abdomen_stiffness_factor", 0.05, 20.0, Group::mechanics,
        [](Candidate& c) -> double& { return c.parameters.abdomen_factor; }},
-      {"rise", "s", "activation.rise_s", 0.1, 10.0,
-       [](Candidate& c) -> double& { return c.activation.rise_s; }},
-      {"fast_fall", "s", "activation.fast_fall_s", 0.02, 10.0,
-       [](Candidate& c) -> double& { return c.activation.fast_fall_s; }},
-      {"fast_fall_level", "1", "activation.fast_fall_level", 0.01, 1.0,
-       [](Candidate& c) -> double& { return c.activation.fast_fall_level; }},
-      {"slow_fall", "s", "activation.slow_fall_s", 0.02, 20.0,
-       [](Candidate& c) -> double& { return c.activation.slow_fall_s; }},
+      {"onset", "s", "activation.onset_s", -1.0, 10.0, Group::timing,
+       [](Candidate& c) -> double& { return c.activation.onset_s; }, Scale::amount, onset_prior_s},
+      {"rise", "s", "activation.rise_s", 0.1, 10.0, Group::timing,
+       [](Candidate& c) -> double& { return c.activation.rise_s; }, Scale::factor, timing_prior},
+      {"fast_fall", "s", "activation.fast_fall_s", 0.02, 10.0, Group::timing,
+       [](Candidate& c) -> double& { return c.activation.fast_fall_s; }, Scale::factor, timing_prior},
+      {"slow_fall", "s", "activation.slow_fall_s", 0.02, 20.0, Group::timing,
+       [](Candidate& c) -> double& { return c.activation.slow_fall_s; }, Scale::factor, timing_prior},
+      {"fast_fall_level", "1", "activation.fast_fall_level", 0.01, 1.0, Group::mechanics,
+       [](Candidate& c) -> double& { return c.activation.fast_fall_level; }, Scale::factor, 1.0},
+      knot<0>("shape_rise_1", "activation.shape_rise_1"),
+      knot<1>("shape_rise_2", "activation.shape_rise_2"),
+      knot<2>("shape_rise_3", "activation.shape_rise_3"),
+      knot<3>("shape_rise_4", "activation.shape_rise_4"),
+      knot<4>("shape_rise_5", "activation.shape_rise_5"),
+      knot<5>("shape_fast_fall_1", "activation.shape_fast_fall_1"),
+      knot<6>("shape_slow_fall_1", "activation.shape_slow_fall_1"),
+      knot<7>("shape_slow_fall_2", "activation.shape_slow_fall_2"),
+      knot<8>("shape_slow_fall_3", "activation.shape_slow_fall_3"),
   };
   return all;
 }
@@ -47,72 +67,28 @@ const FreeParameter& free_parameter(const std::string& name) {
   std::string names;
   for (const FreeParameter& p : free_parameters()) {
     if (p.name == name) return p;
-    names += (names.empty() ? "" : ", ") + std::string(p.name);
+    if (p.group != Group::shape) names += std::string(p.name) + ", ";
   }
-  throw InputError(fmt::format("there is no parameter '{}' to fit, expected one of {}", name, names));
+  throw InputError(fmt::format(
+      "there is no parameter '{}' to fit, expected one of {}timing (onset, rise and falls) or shape "
+      "(shape_rise_1 to _5, shape_fast_fall_1, shape_slow_fall_1 to _3)",
+      name, names));
 }
 
-SearchSpace::SearchSpace(std::vector<std::string> names, const Candidate& start) : start_(start) {
-  if (names.empty())
-    throw InputError("no parameter is free, expected at least one: --free k_elasticity,k_muscle");
-  for (const FreeParameter& p : free_parameters())  // in the table's order, so that k_elasticity comes first
-    if (const auto count = std::count(names.begin(), names.end(), p.name); count > 1)
-      throw InputError(fmt::format("parameter '{}' is named twice", p.name));
-    else if (count == 1)
-      free_.push_back(&p);
-  for (const std::string& name : names) free_parameter(name);
-  for (const FreeParameter* p : free_) {
-    const double value = value_of(*p, start_);
-    if (!(value >= p->lower && value <= p->upper))
-      throw InputError(fmt::format("{} starts at {:g} {}, expected {:g} to {:g}: change {} in the scenario",
-                                   p->name, value, p->unit, p->lower, p->upper, p->scenario_key));
+std::vector<std::string> parameter_names(const std::vector<std::string>& given) {
+  std::vector<std::string> names;
+  for (const std::string& name : given) {
+    const bool timing = name == "timing", shape = name == "shape";
+    if (!timing && !shape) names.emplace_back(free_parameter(name).name);
+    for (const FreeParameter& p : free_parameters())
+      if ((timing && p.group == Group::timing) || (shape && p.group == Group::shape))
+        names.emplace_back(p.name);
   }
+  return names;
 }
 
-bool SearchSpace::is_ratio(std::size_t i) const {
-  return free_[i]->name == "k_muscle";
-}
-
-Eigen::VectorXd SearchSpace::encode(const Candidate& candidate) const {
-  Eigen::VectorXd x(static_cast<Eigen::Index>(size()));
-  for (std::size_t i = 0; i < size(); ++i) {
-    const double scale = is_ratio(i) ? candidate.parameters.elasticity : 1.0;
-    x[static_cast<Eigen::Index>(i)] = std::log(value_of(*free_[i], candidate) / scale);
-  }
-  return x;
-}
-
-Candidate SearchSpace::decode(const Eigen::VectorXd& x) const {
-  Candidate candidate = start_;
-  for (std::size_t i = 0; i < size(); ++i) {  // k_elasticity is set before k_muscle uses it
-    const double scale = is_ratio(i) ? candidate.parameters.elasticity : 1.0;
-    free_[i]->field(candidate) = scale * std::exp(x[static_cast<Eigen::Index>(i)]);
-  }
-  return candidate;
-}
-
-Eigen::VectorXd SearchSpace::lower() const {
-  Eigen::VectorXd x(static_cast<Eigen::Index>(size()));
-  for (std::size_t i = 0; i < size(); ++i)
-    x[static_cast<Eigen::Index>(i)] = std::log(is_ratio(i) ? lowest_ratio : free_[i]->lower);
-  return x;
-}
-
-Eigen::VectorXd SearchSpace::upper() const {
-  Eigen::VectorXd x(static_cast<Eigen::Index>(size()));
-  for (std::size_t i = 0; i < size(); ++i)
-    x[static_cast<Eigen::Index>(i)] = std::log(is_ratio(i) ? highest_ratio : free_[i]->upper);
-  return x;
-}
-
-Eigen::MatrixXd SearchSpace::log_values_by_coordinates() const {
-  const auto n = static_cast<Eigen::Index>(size());
-  Eigen::MatrixXd map = Eigen::MatrixXd::Identity(n, n);
-  for (std::size_t i = 0; i < size(); ++i)
-    for (std::size_t j = 0; j < size(); ++j)
-      if (is_ratio(i) && free_[j]->name == "k_elasticity")
-        map(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = 1.0;
-  return map;
+double value_of(const FreeParameter& parameter, const Candidate& candidate) {
+  return parameter.field(const_cast<Candidate&>(candidate));  // the accessor serves reading and writing
 }
 
 }  // namespace trunk

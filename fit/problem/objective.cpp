@@ -4,30 +4,28 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstring>
+#include <thread>
 
 #include "errors/input_error.hpp"
+#include "parallel/workers.hpp"
 
 namespace trunk {
 
-Eigen::VectorXd sampled(const std::vector<double>& curve, double dt_s, const std::vector<double>& time_s) {
-  Eigen::VectorXd values(static_cast<Eigen::Index>(time_s.size()));
-  for (std::size_t i = 0; i < time_s.size(); ++i) {
-    const double at = std::clamp(time_s[i] / dt_s, 0.0, static_cast<double>(curve.size() - 1));
-    const auto before = std::min(static_cast<std::size_t>(at), curve.size() - 2);
-    const double part = at - static_cast<double>(before);
-    values[static_cast<Eigen::Index>(i)] = curve[before] + part * (curve[before + 1] - curve[before]);
+std::string ledger_key(const Candidate& c) {
+  Candidate copy = c;
+  std::string bytes;
+  for (const double* number : numbers(copy)) {
+    char eight[sizeof(double)];
+    std::memcpy(eight, number, sizeof eight);
+    bytes.append(eight, sizeof eight);
   }
-  return values;
+  return bytes;
 }
 
-Eigen::VectorXd as_target_sees(const Target& target, const std::vector<double>& curve, double dt_s) {
-  if (target.is_tidal_volume())
-    return Eigen::VectorXd::Constant(1, *std::max_element(curve.begin(), curve.end()));
-  return sampled(curve, dt_s, target.time_s);
-}
-
-Objective::Objective(const Trunk& trunk, const TimeGrid& grid, const SearchSpace& space, const Target& target)
-    : trunk_(trunk), grid_(grid), space_(space), target_(target) {
+Objective::Objective(const Trunk& trunk, const TimeGrid& grid, const SearchSpace& space, const Target& target,
+                     Ledger& ledger, const Execution& execution)
+    : trunk_(trunk), grid_(grid), space_(space), target_(target), ledger_(ledger), execution_(execution) {
   if (!target.is_tidal_volume() && (target.time_s.empty() || target.time_s.size() != target.delta_v.size()))
     throw InputError("the measured curve has no samples");
   if (!target.time_s.empty() && target.time_s.back() > grid.duration_s + grid.dt_s)
@@ -35,54 +33,139 @@ Objective::Objective(const Trunk& trunk, const TimeGrid& grid, const SearchSpace
         fmt::format("the measured curve lasts {:.3f} s, the simulation {:.3f} s; expected the "
                     "simulation to cover it",
                     target.time_s.back(), grid.duration_s));
-  for (double v : target.delta_v) target_energy_ += v * v;
+  measured_ = Eigen::VectorXd::Map(target.delta_v.data(), static_cast<Eigen::Index>(target.delta_v.size()));
+  deviation_ = sample_deviation(target);
 }
 
-std::optional<Eigen::VectorXd> Objective::residuals_of(const VolumeCurve& curve) const {
-  if (!curve.summary.completed()) return std::nullopt;
-  const Eigen::VectorXd measured =
-      Eigen::VectorXd::Map(target_.delta_v.data(), static_cast<Eigen::Index>(target_.delta_v.size()));
-  return as_target_sees(target_, curve.delta_v, grid_.dt_s) - measured;
+LeastSquares Objective::problem() {
+  return {[this](const std::vector<Eigen::VectorXd>& some) { return outcomes(some); }, space_.lower(),
+          space_.upper()};
 }
 
-std::optional<Eigen::VectorXd> Objective::residuals_of(const Candidate& candidate) const {
-  return residuals_of(simulate_volume(trunk_, candidate.parameters, candidate.activation, grid_));
+void Objective::charge(Loss loss, double scale) {
+  loss_ = loss;
+  loss_scale_ = scale;
 }
 
-Objective::Outcome Objective::evaluate(const Eigen::VectorXd& x) {
-  const Candidate candidate = space_.decode(x);
+std::vector<LedgerEntry> Objective::simulate(const std::vector<Candidate>& candidates) const {
   const auto start = std::chrono::steady_clock::now();
-  const VolumeCurve curve = simulate_volume(trunk_, candidate.parameters, candidate.activation, grid_);
-  Outcome outcome{residuals_of(curve), 0.0};
-  if (outcome.residuals) outcome.objective = outcome.residuals->squaredNorm();
-  if (!outcome.residuals || !finite(outcome.objective)) {
-    const double lasted = curve.summary.time_s / grid_.duration_s;
-    outcome = {std::nullopt, 100.0 * target_energy_ * (2.0 - std::clamp(lasted, 0.0, 1.0))};
+  std::vector<LedgerEntry> entries;
+  for (const VolumeCurve& curve : simulate_volumes(trunk_, candidates, grid_)) {
+    entries.push_back({static_cast<std::int32_t>(curve.summary.status), curve.summary.time_s, 0.0, {}});
+    if (!curve.summary.completed()) continue;
+    const Eigen::VectorXd model = as_target_sees(target_, curve.delta_v, grid_.dt_s);
+    entries.back().values.assign(model.data(), model.data() + model.size());
   }
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
-  evaluations_.push_back({x, outcome.objective, curve.summary.status, wall.count()});
-  return outcome;
+  for (LedgerEntry& entry : entries) entry.wall_s = wall.count() / static_cast<double>(entries.size());
+  return entries;
 }
 
-std::optional<Eigen::VectorXd> Objective::residuals(const Eigen::VectorXd& x) {
-  return evaluate(x).residuals;
+/// The ledger is a file like any other: what it holds is looked at before it is believed.
+bool Objective::usable(const LedgerEntry* entry) const {
+  if (entry == nullptr) return false;
+  const auto completed = static_cast<std::int32_t>(Summary::Status::completed);
+  if (entry->status != completed)
+    return entry->values.empty() && entry->status > completed &&
+           entry->status <= static_cast<std::int32_t>(Summary::Status::volume_lost) &&
+           finite(entry->lasted_s);
+  return entry->values.size() == static_cast<std::size_t>(samples()) &&
+         std::all_of(entry->values.begin(), entry->values.end(), [](double v) { return finite(v); });
 }
 
-double Objective::operator()(const Eigen::VectorXd& x) {
-  return evaluate(x).objective;
+void Objective::simulate_missing(const std::vector<Candidate>& candidates,
+                                 const std::vector<std::string>& keys) {
+  std::vector<std::size_t> missing;
+  for (std::size_t i = 0; i < candidates.size(); ++i)
+    if (!usable(ledger_.find(keys[i])) &&
+        std::find(keys.begin(), keys.begin() + static_cast<std::ptrdiff_t>(i), keys[i]) ==
+            keys.begin() + static_cast<std::ptrdiff_t>(i))
+      missing.push_back(i);
+  const auto cancelled = [&] { return execution_.cancelled && execution_.cancelled(); };
+  if (cancelled()) throw Cancelled();
+  // As many side by side as lanes; fewer where a thread would have nothing to do.
+  const std::size_t threads =
+      execution_.threads > 0 ? execution_.threads : std::max(1u, std::thread::hardware_concurrency());
+  const std::size_t share = (missing.size() + threads - 1) / threads;
+  const std::size_t width = std::clamp<std::size_t>(share, 1, batch_lanes());
+  std::vector<std::size_t> firsts;
+  for (std::size_t i = 0; i < missing.size(); i += width) firsts.push_back(i);
+  using Results = std::pair<std::size_t, std::vector<LedgerEntry>>;
+  work_off<Results>(
+      firsts, static_cast<unsigned>(std::min(threads, firsts.size())), cancelled,
+      [&](std::size_t first) {
+        std::vector<Candidate> together;
+        for (std::size_t i = first; i < std::min(first + width, missing.size()); ++i)
+          together.push_back(candidates[missing[i]]);
+        return Results(first, simulate(together));
+      },
+      [&](Results results) {
+        for (std::size_t i = 0; i < results.second.size(); ++i)
+          ledger_.add(keys[missing[results.first + i]], std::move(results.second[i]));
+        simulated_ += results.second.size();
+        if (execution_.progress) execution_.progress(simulated_);
+      });
+  if (cancelled()) throw Cancelled();
+}
+
+std::vector<const LedgerEntry*> Objective::entries(const std::vector<Candidate>& candidates) {
+  std::vector<std::string> keys;
+  for (const Candidate& c : candidates) keys.push_back(ledger_key(c));
+  simulate_missing(candidates, keys);
+  std::vector<const LedgerEntry*> found;
+  for (const std::string& key : keys) found.push_back(ledger_.find(key));
+  return found;
+}
+
+Outcome Objective::judged(const Eigen::VectorXd& x, const LedgerEntry& entry) const {
+  if (entry.values.empty()) {
+    const double energy = measured_.cwiseQuotient(deviation_).squaredNorm();
+    const double lasted = std::clamp(entry.lasted_s / grid_.duration_s, 0.0, 1.0);
+    return {std::nullopt, 100.0 * energy * (2.0 - lasted)};
+  }
+  const Eigen::VectorXd model = Eigen::VectorXd::Map(entry.values.data(), samples());
+  const Eigen::VectorXd curve = charged((model - measured_).cwiseQuotient(deviation_), loss_, loss_scale_);
+  const Eigen::VectorXd known = space_.prior_residuals(x);
+  Eigen::VectorXd all(curve.size() + known.size());
+  all << curve, known;
+  return {all, all.squaredNorm()};
+}
+
+std::vector<Outcome> Objective::outcomes(const std::vector<Eigen::VectorXd>& some) {
+  std::vector<Candidate> candidates;
+  for (const Eigen::VectorXd& x : some) candidates.push_back(space_.decode(x));
+  const std::vector<const LedgerEntry*> found = entries(candidates);
+  std::vector<Outcome> result;
+  for (std::size_t i = 0; i < some.size(); ++i) {
+    result.push_back(judged(some[i], *found[i]));
+    if (asked_.emplace(ledger_key(candidates[i]), true).second)
+      evaluations_.push_back({candidates[i], result.back().objective,
+                              static_cast<Summary::Status>(found[i]->status), found[i]->wall_s});
+  }
+  return result;
+}
+
+std::optional<Eigen::VectorXd> Objective::model(const Eigen::VectorXd& x) {
+  return models({x}).front();
+}
+
+std::vector<std::optional<Eigen::VectorXd>> Objective::models(const std::vector<Eigen::VectorXd>& some) {
+  outcomes(some);  // for the record
+  std::vector<Candidate> candidates;
+  for (const Eigen::VectorXd& x : some) candidates.push_back(space_.decode(x));
+  std::vector<std::optional<Eigen::VectorXd>> result;
+  for (const LedgerEntry* entry : entries(candidates))
+    if (entry->values.empty())
+      result.emplace_back();
+    else
+      result.emplace_back(Eigen::VectorXd::Map(entry->values.data(), samples()));
+  return result;
 }
 
 int Objective::failures() const noexcept {
   return static_cast<int>(std::count_if(evaluations_.begin(), evaluations_.end(), [](const Evaluation& e) {
     return e.status != Summary::Status::completed;
   }));
-}
-
-const Evaluation* Objective::best() const noexcept {
-  const Evaluation* best = nullptr;
-  for (const Evaluation& e : evaluations_)
-    if (e.status == Summary::Status::completed && (!best || e.objective < best->objective)) best = &e;
-  return best;
 }
 
 }  // namespace trunk

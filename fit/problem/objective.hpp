@@ -1,74 +1,87 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <vector>
 
 #include "anatomy/breath_run.hpp"
-#include "problem/free_parameters.hpp"
+#include "ledger/ledger.hpp"
+#include "problem/search_space.hpp"
+#include "problem/target.hpp"
+#include "search/least_squares.hpp"
 
 namespace trunk {
 
 /// One simulation asked for by a fit, kept for the record whether it worked or not.
 struct Evaluation {
-  Eigen::VectorXd x;       // coordinates of the search space
-  double objective = 0.0;  // m6, sum of squares; a finite penalty where the simulation failed
+  Candidate candidate;
+  double objective = 0.0;  // deviations squared, with what is known beforehand; a penalty where it failed
   Summary::Status status = Summary::Status::unset;
   double wall_s = 0.0;
 };
 
-/// What the model should do: a volume curve at increasing times from 0, or its highest value alone, whenever
-/// that comes (one entry of delta_v and no times).
-struct Target {
-  std::vector<double> time_s;   // [samples], or empty
-  std::vector<double> delta_v;  // [samples] m3, or the tidal volume
-
-  bool is_tidal_volume() const noexcept { return time_s.empty() && delta_v.size() == 1; }
+/// How simulations are carried out.
+struct Execution {
+  unsigned threads = 0;  // 0: one a core
+  std::function<bool()> cancelled;
+  std::function<void(std::size_t)> progress;  // told the number of simulations
 };
 
 /// The distance between a candidate's lung volume and the measured one (paper, "Estimation of the model
-/// parameters", steps 2 and 3). Every evaluation is counted and kept.
+/// parameters", steps 2 and 3), as a least-squares problem in the coordinates of a search space. What was
+/// simulated before is looked up in the ledger. Residuals: those of the curve in deviations, then what is
+/// known beforehand.
 class Objective {
  public:
   /// All must outlive the objective. Throws InputError where the target is empty or longer than the grid.
-  Objective(const Trunk& trunk, const TimeGrid& grid, const SearchSpace& space, const Target& target);
+  Objective(const Trunk& trunk, const TimeGrid& grid, const SearchSpace& space, const Target& target,
+            Ledger& ledger, const Execution& execution = {});
 
-  /// Model minus measured at the target's samples, m3; empty where the simulation failed.
-  std::optional<Eigen::VectorXd> residuals(const Eigen::VectorXd& x);
+  /// Throws Cancelled where the execution is told to stop. Where the simulation failed, the objective is a
+  /// finite penalty that falls the longer the simulation lasted: NLopt 2.7.1 takes NaN or infinity for
+  /// success.
+  LeastSquares problem();
 
-  /// The same for any candidate, in the search space or not; it is not recorded.
-  std::optional<Eigen::VectorXd> residuals_of(const Candidate& candidate) const;
+  /// The model at the target's samples, m3; none where the simulation failed.
+  std::optional<Eigen::VectorXd> model(const Eigen::VectorXd& x);
+  /// The same for several, side by side.
+  std::vector<std::optional<Eigen::VectorXd>> models(const std::vector<Eigen::VectorXd>& some);
 
-  /// Sum of squared residuals, m6. Where the simulation failed, a finite penalty above any useful value that
-  /// falls the longer the simulation lasted: NLopt 2.7.1 takes NaN or infinity for success.
-  double operator()(const Eigen::VectorXd& x);
+  void charge(Loss loss, double scale);
 
-  const std::vector<Evaluation>& evaluations() const noexcept { return evaluations_; }
-  int failures() const noexcept;
-  /// The evaluation with the lowest objective that did not fail; null where all failed.
-  const Evaluation* best() const noexcept;
+  Eigen::Index samples() const noexcept { return measured_.size(); }
+  const Eigen::VectorXd& measured() const noexcept { return measured_; }    // m3
+  const Eigen::VectorXd& deviation() const noexcept { return deviation_; }  // m3
   const Target& target() const noexcept { return target_; }
   const SearchSpace& space() const noexcept { return space_; }
 
+  const std::vector<Evaluation>& evaluations() const noexcept { return evaluations_; }
+  std::size_t simulated() const noexcept { return simulated_; }  // not counting what the ledger knew
+  int failures() const noexcept;
+
  private:
-  struct Outcome {
-    std::optional<Eigen::VectorXd> residuals;
-    double objective;
-  };
-  std::optional<Eigen::VectorXd> residuals_of(const VolumeCurve& curve) const;
-  Outcome evaluate(const Eigen::VectorXd& x);
+  std::vector<const LedgerEntry*> entries(const std::vector<Candidate>& candidates);
+  void simulate_missing(const std::vector<Candidate>& candidates, const std::vector<std::string>& keys);
+  std::vector<LedgerEntry> simulate(const std::vector<Candidate>& candidates) const;
+  bool usable(const LedgerEntry* entry) const;
+  Outcome judged(const Eigen::VectorXd& x, const LedgerEntry& entry) const;
+  std::vector<Outcome> outcomes(const std::vector<Eigen::VectorXd>& some);
 
   const Trunk& trunk_;
   const TimeGrid& grid_;
   const SearchSpace& space_;
   const Target& target_;
-  double target_energy_ = 0.0;  // m6
+  Ledger& ledger_;
+  Execution execution_;
+  Eigen::VectorXd measured_, deviation_;
+  Loss loss_ = Loss::squares;
+  double loss_scale_ = 1.0;
   std::vector<Evaluation> evaluations_;
+  std::map<std::string, bool> asked_;
+  std::size_t simulated_ = 0;
 };
 
-/// What a simulated curve shows of what the target names: its samples, or its highest value.
-Eigen::VectorXd as_target_sees(const Target& target, const std::vector<double>& curve, double dt_s);
-
-/// A curve sampled every dt_s from time 0, read off at the target's times, straight between its samples.
-Eigen::VectorXd sampled(const std::vector<double>& curve, double dt_s, const std::vector<double>& time_s);
+/// The parameters and the activation as bytes: what the ledger knows a simulation by.
+std::string ledger_key(const Candidate& candidate);
 
 }  // namespace trunk

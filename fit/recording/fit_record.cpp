@@ -15,9 +15,16 @@ std::vector<NamedValue> statistics_of(const Estimation& e) {
       {"tidal_volume_error_ml", "ml", 1e6 * e.quality.tidal_volume_error_m3},
       {"peak_time_error_s", "s", e.quality.peak_time_error_s},
       {"baseline_nrmse_percent", "percent", 100.0 * e.quality.baseline_nrmse},
+      {"bic", "1", e.quality.bic},
+      {"baseline_bic", "1", e.quality.baseline_bic},
       {"failed_evaluations", "1", static_cast<double>(e.failures)},
   };
+  if (e.cross_check)
+    s.push_back({"methods_differ_percent", "percent", 100.0 * e.cross_check->largest_difference});
   if (e.uncertainty) {
+    s.push_back({"noise_autocorrelation", "1", e.uncertainty->noise_autocorrelation});
+    s.push_back({"noise_sigma_ml", "ml", 1e6 * e.uncertainty->sigma_m3});
+    s.push_back({"degrees_of_freedom", "1", e.uncertainty->freedom});
     s.push_back({"residual_autocorrelation", "1", e.uncertainty->residual_autocorrelation});
     s.push_back({"condition_number", "1", e.uncertainty->condition_number});
     s.push_back({"ratio", "1", e.uncertainty->ratio.value});
@@ -25,6 +32,21 @@ std::vector<NamedValue> statistics_of(const Estimation& e) {
     s.push_back({"ratio_upper95", "1", e.uncertainty->ratio.upper95});
   }
   return s;
+}
+
+void add_interval(const Estimate& u, FitRecord::Parameter& r) {
+  r.stderr_ = u.stderr_;
+  r.lower95 = u.lower95;
+  r.upper95 = u.upper95;
+  r.naive_lower95 = u.naive95.lower;
+  r.naive_upper95 = u.naive95.upper;
+  r.at_bound = u.at_bound;
+}
+
+std::vector<double> natural_values(const SearchSpace& space, const Candidate& c) {
+  std::vector<double> values;
+  for (std::size_t i = 0; i < space.size(); ++i) values.push_back(value_of(space.parameter(i), c));
+  return values;
 }
 
 std::vector<FitRecord::Parameter> fitted_parameters(const SearchSpace& space, const Candidate& start,
@@ -40,17 +62,14 @@ std::vector<FitRecord::Parameter> fitted_parameters(const SearchSpace& space, co
     r.lower = p.lower;
     r.upper = p.upper;
     r.free = false;
-    r.stderr_ = r.lower95 = r.upper95 = std::nan("");
-    for (std::size_t i = 0; i < space.size(); ++i)
-      if (space.parameter(i).name == p.name) {
-        r.free = true;
-        if (!e.uncertainty) continue;
-        const Estimate& u = e.uncertainty->parameters[i];
-        r.stderr_ = u.stderr_;
-        r.lower95 = u.lower95;
-        r.upper95 = u.upper95;
-        r.at_bound = u.at_bound;
-      }
+    r.stderr_ = r.lower95 = r.upper95 = r.naive_lower95 = r.naive_upper95 = std::nan("");
+    if (const auto i = space.find(p.name)) {
+      r.free = *i < space.asked_for();
+      r.beside = !r.free;
+      if (e.uncertainty && (r.free || !e.uncertainty->beside.empty()))
+        add_interval(r.free ? e.uncertainty->parameters[*i] : e.uncertainty->beside[*i - space.asked_for()],
+                     r);
+    }
     result.push_back(r);
   }
   return result;
@@ -59,8 +78,7 @@ std::vector<FitRecord::Parameter> fitted_parameters(const SearchSpace& space, co
 void add_evaluations(const SearchSpace& space, const Estimation& e, FitRecord& fit) {
   for (std::size_t i = 0; i < space.size(); ++i) fit.evaluation_names.emplace_back(space.parameter(i).name);
   for (const Evaluation& evaluation : e.evaluations) {
-    Candidate c = space.decode(evaluation.x);
-    for (std::size_t i = 0; i < space.size(); ++i) fit.evaluation_x.push_back(space.parameter(i).field(c));
+    for (const double v : natural_values(space, evaluation.candidate)) fit.evaluation_x.push_back(v);
     const bool done = evaluation.status == Summary::Status::completed;
     fit.evaluation_objective.push_back(done ? evaluation.objective : std::nan(""));
     fit.evaluation_status.push_back(done ? 0 : static_cast<std::int32_t>(evaluation.status));
@@ -68,12 +86,33 @@ void add_evaluations(const SearchSpace& space, const Estimation& e, FitRecord& f
   }
 }
 
+void add_likelihood(const SearchSpace& space, const Estimation& e, FitRecord& fit) {
+  for (const Start& s : e.starts)
+    fit.starts.push_back({natural_values(space, space.decode(s.from)),
+                          natural_values(space, space.decode(s.to)), s.objective, s.converged});
+  for (const Profile& p : e.profiles)
+    fit.profiles.push_back({p.name,
+                            p.unit,
+                            p.value,
+                            p.deviance,
+                            {p.at_bound.begin(), p.at_bound.end()},
+                            p.interval95.lower,
+                            p.interval95.upper});
+  if (!e.surface) return;
+  for (int i = 0; i < 2; ++i) {
+    fit.surface.name[i] = e.surface->names[i];
+    fit.surface.unit[i] = e.surface->units[i];
+    fit.surface.axis[i] = e.surface->axis[i];
+  }
+  fit.surface.deviance = e.surface->deviance;
+  fit.surface.threshold95 = e.surface->threshold95;
+}
+
 }  // namespace
 
 FitRecord fit_record(const ScenarioFile& file, const Trunk& trunk, const SearchSpace& space,
-                     const Target& target, const MeasuredBreath& breath, const Estimation& e,
-                     const SearchOptions& options, const std::string& status, const BreathRun& run,
-                     const Provenance& provenance) {
+                     const Target& target, const std::vector<double>& sigma_m3, const Estimation& e,
+                     const std::string& status, const BreathRun& run, const Provenance& provenance) {
   FitRecord fit;
   fit.title = file.scenario.title;
   fit.status = status;
@@ -81,18 +120,19 @@ FitRecord fit_record(const ScenarioFile& file, const Trunk& trunk, const SearchS
   fit.scenario_toml = scenario_text(file);
   fit.verdict = e.uncertainty ? e.uncertainty->verdict : "";
   fit.stop_reason = e.search.stop_reason;
-  fit.algorithm = options.algorithm;
+  fit.algorithm = e.algorithm;
   fit.parameters = fitted_parameters(space, {file.scenario.parameters, file.scenario.activation}, e);
   add_evaluations(space, e, fit);
+  add_likelihood(space, e, fit);
   if (e.uncertainty) {
-    fit.covariance_names = fit.evaluation_names;
+    for (const Estimate& p : e.uncertainty->parameters) fit.covariance_names.push_back(p.name);
     const Eigen::MatrixXd& c = e.uncertainty->log_covariance;
     for (Eigen::Index i = 0; i < c.rows(); ++i)
       for (Eigen::Index j = 0; j < c.cols(); ++j) fit.covariance.push_back(c(i, j));
   }
   fit.measured_time_s = target.time_s;
   fit.measured_m3 = target.delta_v;
-  fit.sigma_m3 = breath.sigma_m3;
+  fit.sigma_m3 = sigma_m3;
   if (target.is_tidal_volume()) {
     fit.measured_time_s = {run.time_s[static_cast<std::size_t>(
         std::max_element(run.delta_v.begin(), run.delta_v.end()) - run.delta_v.begin())]};

@@ -5,11 +5,11 @@
 #include <cmath>
 
 #include "errors/input_error.hpp"
+#include "parallel/workers.hpp"
 #include "recording/provenance.hpp"
 #include "recording/run_record.hpp"
 #include "results/run_file.hpp"
 #include "sweep/table.hpp"
-#include "sweep/workers.hpp"
 
 namespace trunk {
 namespace {

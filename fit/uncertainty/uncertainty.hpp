@@ -4,50 +4,70 @@
 #include <vector>
 
 #include "problem/objective.hpp"
+#include "uncertainty/noise.hpp"
 
 namespace trunk {
 
-/// A parameter with what the data say about it.
+struct Interval {
+  double lower = 0.0, upper = 0.0;
+};
+
+/// A parameter with what the data say about it. Intervals are 95 %.
 struct Estimate {
   std::string name, unit;
   double value = 0.0;
-  double stderr_ = 0.0;  // value * standard error of its logarithm
-  double lower95 = 0.0, upper95 = 0.0;
+  double stderr_ = 0.0;  // in the unit; of what is searched for by factors, value * that of its logarithm
+  double lower95 = 0.0, upper95 = 0.0;  // residuals correlated as AR(1)
   bool at_bound = false;
   bool identifiable = false;
+  Interval naive95{};  // as if every sample were independent
 };
 
-/// Local uncertainty at the best point, from the Jacobian of the residuals in log coordinates.
+/// A product of powers of the free parameters, and how well it is determined.
+struct Combination {
+  std::vector<double> powers;  // [asked for], the largest is 1
+  double relative_stderr = 0.0;
+};
+
+/// The fit near its best point, as a linear one: what every interval starts from.
+struct LocalFit {
+  Eigen::VectorXd x;                // coordinates
+  Eigen::VectorXd residuals;        // [samples] in deviations
+  Eigen::MatrixXd rows;             // d residuals / d x: [samples + what is known beforehand, coordinates]
+  Noise noise;                      // in deviations
+  Eigen::MatrixXd unit_covariance;  // of x, as if all residuals had deviation 1
+  Eigen::MatrixXd covariance;       // of x, AR(1)
+  Eigen::MatrixXd naive_covariance;
+};
+
+/// None where the model fails beside x.
+std::optional<LocalFit> local_fit(Objective& objective, const Eigen::VectorXd& x);
+
+/// Local uncertainty at the best point.
 struct Uncertainty {
-  std::vector<Estimate> parameters;  // in the order of the search space
+  std::vector<Estimate> parameters;  // those asked for, in the order of the search space
+  std::vector<Estimate> beside;      // those estimated along with them
   Estimate ratio;                    // k_muscle / k_elasticity; empty name where neither is free
-  Eigen::MatrixXd log_covariance;    // [free, free] of the logarithms of the natural values, AR(1)-corrected
-  Eigen::MatrixXd correlation;       // [free, free] of the same
-  double condition_number = 0.0;     // of the Jacobian in the logarithms of the natural values
+  Eigen::MatrixXd log_covariance;    // [asked for, asked for] of logarithms (amounts: of the values), AR(1)
+  Eigen::MatrixXd correlation;       // of the same
+  std::vector<Combination> combinations;  // best determined first; factors only
+  double condition_number = 0.0;  // of the Jacobian in the logarithms, what is estimated beside eliminated
   double residual_autocorrelation = 0.0;  // lag 1
-  double sigma_m3 = 0.0;                  // residual standard deviation
+  double noise_autocorrelation = 0.0;     // of the noise that would leave such residuals
+  double sigma_m3 = 0.0;                  // deviation of that noise
+  double freedom = 0.0;                   // degrees of freedom of the intervals
   bool identifiable = false;
   std::string verdict;
 };
 
-/// Covariance of ordinary least squares under residuals that follow AR(1): (J'J)^-1 J' S J (J'J)^-1 with
-/// S_ij = s^2 rho^|i-j|. rho = 0 is the textbook s^2 (J'J)^-1.
-Eigen::MatrixXd least_squares_covariance(const Eigen::MatrixXd& jacobian, double sigma, double rho);
+/// A free parameter is called identifiable where its 95 % interval spans less than a factor of 4 (0.4 of its
+/// unit, if searched for by amounts) and it is not at a bound (our choice).
+Uncertainty assess(const Objective& objective, const LocalFit& fit);
 
-double lag_one_autocorrelation(const Eigen::VectorXd& residuals);
+/// As many numbers fitted as measured: nothing is left to tell how far to trust them.
+Uncertainty without_uncertainty(const Objective& objective, const Eigen::VectorXd& x);
 
-/// Central differences of the residuals, [samples, free]; one-sided at a bound. Throws std::runtime_error
-/// where no neighbour of `x` can be simulated.
-Eigen::MatrixXd residual_jacobian(Objective& objective, const Eigen::VectorXd& x);
-
-/// Central differences of the residuals with respect to what was taken from the trace beforehand and is
-/// uncertain too: logarithms of rise and falls, the level after the fast fall, the onset (s). [samples, those
-/// of the five that are not free]. Throws as residual_jacobian does.
-Eigen::MatrixXd timing_jacobian(const Objective& objective, const Eigen::VectorXd& x);
-
-/// Uncertainty at the best point. With `timing_from_trace` the activation's timing counts as estimated
-/// together with the parameters, which widens their intervals. A free parameter is called identifiable where
-/// its 95 % interval spans less than a factor of 4 and it is not at a bound (our choice).
-Uncertainty assess(Objective& objective, const Eigen::VectorXd& x, bool timing_from_trace);
+/// The 97.5 % point of Student's t.
+double t_quantile(double freedom);
 
 }  // namespace trunk

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "uncertainty/uncertainty.hpp"
 
 namespace trunk {
@@ -9,8 +12,10 @@ namespace {
 
 /// "4000 N/m within 3 %", or the interval where a percentage would mean little.
 std::string with_interval(const Estimate& e) {
-  const double percent = 100.0 * (e.upper95 / e.value - 1.0);
   const std::string unit = e.unit == "1" ? "" : " " + e.unit;
+  const double percent = 100.0 * (e.upper95 / e.value - 1.0);
+  if (!(e.lower95 > 0.0))
+    return fmt::format("{} = {:.3g}{} within {:.2g}", e.name, e.value, unit, e.upper95 - e.value);
   if (percent < 50.0) return fmt::format("{} = {:.4g}{} within {:.2g} %", e.name, e.value, unit, percent);
   if (percent < 1000.0)
     return fmt::format("{} = {:.3g}{}, anywhere from {:.2g} to {:.2g}", e.name, e.value, unit, e.lower95,
@@ -19,31 +24,83 @@ std::string with_interval(const Estimate& e) {
                      e.upper95 / e.value > 1000.0 ? "1000" : "10");
 }
 
+bool is_knot(const Estimate& e) {
+  return e.name.starts_with("shape_");
+}
+
+/// "k_elasticity^-0.52 k_damping": a product of powers that matter.
+std::string product(const Combination& c, const std::vector<Estimate>& parameters) {
+  std::string text;
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    if (std::abs(c.powers[i]) < 0.05) continue;
+    text += text.empty() ? "" : " ";
+    text += parameters[i].name;
+    if (std::abs(c.powers[i] - 1.0) > 0.05) text += fmt::format("^{:.2g}", c.powers[i]);
+  }
+  return text;
+}
+
+struct Sentences {
+  std::string determined, open;
+  int knots = 0, known_knots = 0;
+
+  static void add(std::string& list, const std::string& item) { list += (list.empty() ? "" : "; ") + item; }
+};
+
+Sentences sorted(const Uncertainty& u, bool ratio_matters) {
+  Sentences s;
+  if (ratio_matters) Sentences::add(s.determined, with_interval(u.ratio));
+  for (const Estimate& e : u.parameters) {
+    if (is_knot(e)) {
+      ++s.knots;
+      s.known_knots += e.identifiable ? 1 : 0;
+      continue;
+    }
+    const std::string text = with_interval(e) + (e.at_bound ? " (stopped at its bound)" : "");
+    if (e.identifiable)
+      Sentences::add(s.determined, text);
+    else if (!(ratio_matters && e.name == "k_muscle"))
+      Sentences::add(s.open, text);
+  }
+  if (s.known_knots > 0)
+    Sentences::add(s.determined,
+                   fmt::format("{} of {} heights of the activation's shape", s.known_knots, s.knots));
+  if (s.known_knots < s.knots)
+    Sentences::add(s.open,
+                   fmt::format("{} of {} heights of the activation's shape, which follow their neighbours",
+                               s.knots - s.known_knots, s.knots));
+  return s;
+}
+
+std::string advice(const Uncertainty& u) {
+  const bool recoil = std::any_of(u.parameters.begin(), u.parameters.end(), [](const Estimate& e) {
+    return !e.identifiable && (e.name == "k_elasticity" || e.name == "damping");
+  });
+  return recoil ? " A longer undisturbed expiration, a deeper and a shallower breath, or a measured dome or "
+                  "chest-wall motion would settle it."
+                : " More or quieter breaths, or fewer free parameters, would settle it.";
+}
+
 }  // namespace
 
 std::string verdict_of(const Uncertainty& u) {
-  std::string determined, open;
-  const auto add = [](std::string& list, const std::string& item) {
-    list += (list.empty() ? "" : "; ") + item;
-  };
   const bool ratio_matters = !u.identifiable && u.ratio.identifiable;
-  if (ratio_matters) add(determined, with_interval(u.ratio));
-  for (const Estimate& e : u.parameters) {
-    const std::string text = with_interval(e) + (e.at_bound ? " (stopped at its bound)" : "");
-    if (e.identifiable)
-      add(determined, text);
-    else if (!(ratio_matters && e.name == "k_muscle"))
-      add(open, text);
-  }
-  if (open.empty()) return fmt::format("Determined by this trace, for the damping assumed: {}.", determined);
-  return fmt::format(
-      "{}{}Not determined by this trace: {}. A deeper and a shallower breath, a longer undisturbed "
-      "expiration, or a "
-      "measured dome or chest-wall motion would settle it.",
-      ratio_matters        ? "Only the ratio is determined: "
-      : determined.empty() ? ""
-                           : "Determined by this trace: ",
-      determined.empty() ? "" : determined + ". ", open);
+  const Sentences s = sorted(u, ratio_matters);
+  const bool damping_free = std::any_of(u.parameters.begin(), u.parameters.end(),
+                                        [](const Estimate& e) { return e.name == "damping"; });
+  if (s.open.empty())
+    return fmt::format("Determined by this trace{}: {}.", damping_free ? "" : ", for the damping assumed",
+                       s.determined);
+  std::string text;
+  if (ratio_matters)
+    text = "Only the ratio is determined: " + s.determined + ". ";
+  else if (!s.determined.empty())
+    text = "Determined by this trace: " + s.determined + ". ";
+  else if (!u.combinations.empty() && u.parameters.size() > 1 && u.combinations.front().relative_stderr < 0.5)
+    text = fmt::format("Only a combination is determined: {} to {:.2g} %. ",
+                       product(u.combinations.front(), u.parameters),
+                       100.0 * u.combinations.front().relative_stderr);
+  return text + "Not determined by this trace: " + s.open + "." + advice(u);
 }
 
 }  // namespace trunk

@@ -1,22 +1,33 @@
 #pragma once
 
+#include <array>
 #include <cmath>
 
 #include "math/scalar.hpp"
 
 namespace trunk {
 
-/// Muscle activation A(t) in 0..1 over one breath: a linear rise, an "important decrease", a "normal
-/// decrease" (paper, "Healthy and pathological diaphragm models": 2 s, 0.5 s, 2 s). How far the fast decrease
-/// falls is our choice: 0.4. Repeats every `period_s` when that is positive.
+/// How the heights of the activation's inner knots are laid out: each phase is divided evenly by its own.
+struct ShapeKnots {
+  static constexpr std::size_t rise = 5, fast_fall = 1, slow_fall = 3, count = rise + fast_fall + slow_fall;
+};
+
+/// Muscle activation A(t) over one breath, in units of its height at the end of the rise: a linear rise, an
+/// "important decrease", a "normal decrease" (paper, "Healthy and pathological diaphragm models": 2 s, 0.5 s,
+/// 2 s). How far the fast decrease falls is our choice: 0.4. Repeats every `period_s` when that is positive.
+///
+/// `shape` bends the three lines (our choice): inner knots stand at even parts of each phase, and A(t) is
+/// straight between knots whose heights are `shape` times those of the line; 1 leaves the line as it is.
+/// Never negative.
 template <Scalar S>
 struct BreathActivation {
-  S onset_s{0.0};
+  S onset_s{0.0};  // may be negative: active already at the start
   S rise_s{2.0};
   S fast_fall_s{0.5};
   S slow_fall_s{2.0};
   S fast_fall_level{0.4};
   S period_s{0.0};
+  std::array<S, ShapeKnots::count> shape = filled(1.0);
 
   S operator()(double time_s) const noexcept {
     using std::floor;
@@ -26,8 +37,41 @@ struct BreathActivation {
     const S falling = S(1.0) - (S(1.0) - fast_fall_level) * (t - rise_s) / fast_fall_s;
     const S end_of_fast = rise_s + fast_fall_s;
     const S settling = fast_fall_level * (S(1.0) - (t - end_of_fast) / slow_fall_s);
-    const S active = select(t < rise_s, rising, select(t < end_of_fast, falling, settling));
-    return select(S(0.0) < active, active, S(0.0));
+    const S line = select(t < rise_s, rising, select(t < end_of_fast, falling, settling));
+    const S bent = select(S(0.0) < line, line, S(0.0)) + bend(t);
+    return select(S(0.0) < bent, bent, S(0.0));  // round-off
+  }
+
+ private:
+  static constexpr std::array<S, ShapeKnots::count> filled(double value) {
+    std::array<S, ShapeKnots::count> all;
+    all.fill(S(value));
+    return all;
+  }
+
+  /// What the knots add to the lines: exactly 0 where the shape is all ones.
+  S bend(const S& t) const noexcept {
+    const S *knot = shape.data(), zero(0.0), one(1.0);
+    return bend(t, zero, rise_s, zero, one, knot, ShapeKnots::rise) +
+           bend(t, rise_s, fast_fall_s, one, fast_fall_level, knot + ShapeKnots::rise,
+                ShapeKnots::fast_fall) +
+           bend(t, rise_s + fast_fall_s, slow_fall_s, fast_fall_level, zero,
+                knot + ShapeKnots::rise + ShapeKnots::fast_fall, ShapeKnots::slow_fall);
+  }
+
+  /// One phase, from height `first` to `last`: a sum of hats, each as wide as its two neighbours are apart.
+  static S bend(const S& t, const S& start, const S& length, const S& first, const S& last, const S* knot,
+                std::size_t count) noexcept {
+    const S place = S(static_cast<double>(count + 1)) * (t - start) / length;  // knot k stands at k + 1
+    S sum(0.0);
+    for (std::size_t k = 0; k < count; ++k) {
+      const double part = static_cast<double>(k + 1) / static_cast<double>(count + 1);
+      const S away = place - S(static_cast<double>(k + 1));
+      const S hat = S(1.0) - select(away < S(0.0), -away, away);
+      const S height = first + S(part) * (last - first);
+      sum = sum + select(S(0.0) < hat, (knot[k] - S(1.0)) * height * hat, S(0.0));
+    }
+    return sum;
   }
 };
 

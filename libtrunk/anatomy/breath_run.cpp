@@ -79,10 +79,14 @@ VolumeCurve simulate_volume(const Trunk& trunk, const Parameters<double>& parame
   return curve;
 }
 
+std::size_t batch_lanes() noexcept {
+  return static_cast<std::size_t>(kernel().lanes);
+}
+
 std::vector<VolumeCurve> simulate_volumes(const Trunk& trunk, std::span<const Trial<double>> trials,
                                           const TimeGrid& grid) {
   constexpr std::size_t worth_lanes = 3;  // a step of all lanes costs that of 2 to 3 simulations
-  const auto lanes = static_cast<std::size_t>(kernel().lanes);
+  const std::size_t lanes = batch_lanes();
   std::vector<VolumeCurve> curves(trials.size());
   for (std::size_t first = 0; first < trials.size();) {
     const std::size_t left = trials.size() - first;

@@ -35,6 +35,9 @@ BreathRun run_breath(const Trunk& trunk, const Scenario& scenario, int frame_eve
 VolumeCurve simulate_volume(const Trunk& trunk, const Parameters<double>& parameters,
                             const BreathActivation<double>& activation, const TimeGrid& grid);
 
+/// How many trials this machine works off side by side.
+std::size_t batch_lanes() noexcept;
+
 /// The same for many trials, several at a time in the lanes of a register. Each gives the bits it would
 /// alone.
 std::vector<VolumeCurve> simulate_volumes(const Trunk& trunk, std::span<const Trial<double>> trials,

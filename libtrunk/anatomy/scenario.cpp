@@ -27,7 +27,9 @@ Trunk make_trunk(const Scenario& s) {
   Trunk trunk = make_trunk(mesh_of(s), s.tissue, s.reaction, s.rigid);
   trunk.model.gravity = s.gravity;
   trunk.model.abdomen.target = s.abdominal_volume;
-  for (const RegionLoad& load : s.loads) apply(load, trunk);
+  Mistakes mistakes;
+  for (const RegionLoad& load : s.loads) mistakes.gather([&] { apply(load, trunk); });
+  mistakes.settle();
   drop_supports_of_held_particles(trunk.model);
   require_valid(trunk.model);
   return trunk;

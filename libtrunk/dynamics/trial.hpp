@@ -19,10 +19,13 @@ struct Trial {
 
 /// Its numbers, in a fixed order.
 template <Scalar S>
-std::array<S*, 10> numbers(Trial<S>& trial) noexcept {
+std::array<S*, 10 + ShapeKnots::count> numbers(Trial<S>& trial) noexcept {
   auto& [p, a] = trial;
-  return {&p.elasticity, &p.muscle,      &p.damping,     &p.abdomen_factor,  &a.onset_s,
-          &a.rise_s,     &a.fast_fall_s, &a.slow_fall_s, &a.fast_fall_level, &a.period_s};
+  std::array<S*, 10 + ShapeKnots::count> all = {
+      &p.elasticity, &p.muscle,      &p.damping,     &p.abdomen_factor,  &a.onset_s,
+      &a.rise_s,     &a.fast_fall_s, &a.slow_fall_s, &a.fast_fall_level, &a.period_s};
+  for (std::size_t k = 0; k < ShapeKnots::count; ++k) all[10 + k] = &a.shape[k];
+  return all;
 }
 
 /// A trial a lane. trials: [1 to lanes_of<S>]; the last one fills the lanes that are left.

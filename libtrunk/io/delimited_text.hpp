@@ -5,12 +5,15 @@
 #include <string_view>
 #include <vector>
 
+#include "channels/recording.hpp"
+#include "io/table_layout.hpp"
+
 namespace trunk {
 
-/// A table in text: one header line of names, then rows; `#` lines are comments, blank lines and rows of
-/// empty cells are skipped. The delimiter is found in the header: semicolon, else tab, else comma (or a
-/// spreadsheet's `sep=;` line). With semicolon or tab a number may have a decimal comma. Lines end in LF,
-/// CRLF or CR. A cell in double quotes may hold delimiters, not line breaks.
+/// A table in text: names, perhaps a row of units, then rows of data; see table_layout for how these are
+/// found.
+/// `#` lines are comments, blank lines and rows of empty cells are skipped. Where the comma does not delimit,
+/// a number may have a decimal comma.
 ///
 /// All errors are InputError with source and line.
 class DelimitedText {
@@ -20,42 +23,41 @@ class DelimitedText {
     std::vector<std::string_view> cells;  ///< trimmed, without quotes; views into the table's text
   };
 
-  static constexpr std::size_t max_line_bytes = 1'000'000;
-  static constexpr std::size_t max_rows = 10'000'000;
+  static constexpr std::size_t max_rows = Recording::max_samples;
 
-  /// Reads the header. Errors: no line at all, a first line that starts with a number, a line over the bound.
-  DelimitedText(std::string source, std::string text);
+  using Layout = TableLayout (*)(TextLines);
+
+  /// Reads the header. Errors: those of the layout.
+  DelimitedText(std::string source, std::string text, Layout layout = &table_layout)
+      : text_(std::move(text)), layout_(layout(TextLines(std::move(source), text_))) {}
 
   // Rows view the text, so the table stays where it is.
   DelimitedText(const DelimitedText&) = delete;
   DelimitedText& operator=(const DelimitedText&) = delete;
 
-  const std::string& source() const { return source_; }
-  std::size_t header_line() const { return header_line_; }
-  const std::vector<std::string>& names() const { return names_; }
+  const std::string& source() const { return layout_.rows.source(); }
+  std::size_t header_line() const { return layout_.header_line; }
+  bool named() const { return layout_.named; }  ///< false: names are numbers from 1
+  const std::vector<std::string>& names() const { return layout_.names; }
+  const std::vector<std::string>& units() const { return layout_.units; }  ///< empty, or as many as names
 
   /// The next row of data => row; false at the end. Errors: too many rows, a line over the bound, an open
-  /// quote, more filled cells than the header has names.
+  /// quote, more filled cells than there are names.
   bool next(Row& row);
+  void rewind();  ///< to the first row
 
-  /// The cell `row.cells[column]` as a finite number. Errors: no such cell, empty, not a number, NaN or
-  /// infinite.
+  /// The cell `row.cells[column]` in text. Errors: no such cell, or empty.
+  std::string_view text(const Row& row, std::size_t column) const;
+  /// The same as a finite number. Errors: also not a number, NaN or infinite.
   double number(const Row& row, std::size_t column) const;
 
  private:
-  bool next_line(std::string_view& line);
-  bool next_content_line(std::string_view& line);
-  void split(std::string_view line, std::vector<std::string_view>& cells) const;
   [[noreturn]] void fail(std::size_t line, const std::string& text) const;
 
-  std::string source_;
   std::string text_;
-  std::size_t position_ = 0;
-  std::size_t line_ = 0;
+  TableLayout layout_;  // views text_
+  TextLines lines_ = layout_.rows;
   std::size_t rows_ = 0;
-  std::size_t header_line_ = 0;
-  char delimiter_ = ',';
-  std::vector<std::string> names_;
 };
 
 }  // namespace trunk

@@ -15,7 +15,7 @@ namespace trunk {
 namespace {
 
 using Kind = RegionLoad::Kind;
-constexpr std::size_t largest_file = 10'000'000;
+constexpr std::size_t largest_loads_file = 10'000'000;
 
 std::string text_of(const std::vector<pml::Target>& targets) {
   struct Text {
@@ -128,7 +128,7 @@ pml::Load load_of(const RegionLoad& load) {
 std::vector<RegionLoad> read_region_loads(const std::filesystem::path& path) {
   const std::string file = path.string();
   std::vector<RegionLoad> result;
-  for (const pml::Load& load : pml::read_lml(read_text_file(path, largest_file), file).loads) try {
+  for (const pml::Load& load : pml::read_lml(read_text_file(path, largest_loads_file), file).loads) try {
       result.push_back(region_load(load, file));
     } catch (const InputError& error) {
       if (std::string_view(error.what()).starts_with(file)) throw;

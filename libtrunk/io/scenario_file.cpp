@@ -15,7 +15,7 @@
 namespace trunk {
 namespace {
 
-constexpr std::size_t largest_file = 10'000'000;
+constexpr std::size_t largest_scenario = 10'000'000;
 
 const ScenarioKey* find_key(const std::string& path) {
   for (const ScenarioKey& key : scenario_keys())
@@ -72,12 +72,13 @@ struct Assign {
                          key ? fmt::format(", expected '{}' ({})", key->path, expectation(*key)) : ""));
 }
 
+/// Reads on after a mistake: all are kept for the caller.
 class Reader {
  public:
-  explicit Reader(ScenarioFile& file) : file_(file) {}
+  Reader(ScenarioFile& file, Mistakes& mistakes) : file_(file), mistakes_(mistakes) {}
 
   void read(const std::filesystem::path& path, int depth) {
-    const std::string text = read_text_file(path, largest_file);
+    const std::string text = read_text_file(path, largest_scenario);
     if (depth == 0) file_.text = text;
     file_.inputs.push_back(path);
     read_text(text, path, depth);
@@ -86,18 +87,8 @@ class Reader {
   void read_text(const std::string& text, const std::filesystem::path& path, int depth) {
     const std::string name = path.string();
     const toml::table root = parse_toml(text, name);
-    if (const toml::node* base = root.get("extends")) {
-      const TomlPlace place{name, base->source().begin.line};
-      const auto target = base->value_exact<std::string>();
-      if (!target) place.fail("extends is " + shown(*base) + ", expected the name of a scenario file");
-      if (depth >= 8) place.fail("extends goes more than 8 files deep; does a file extend itself?");
-      const auto parent = path.parent_path() / *target;
-      std::error_code ignored;
-      if (!std::filesystem::exists(parent, ignored))
-        place.fail(
-            fmt::format("extends {}: no such file, expected the name of a scenario file", parent.string()));
-      read(parent, depth + 1);
-    }
+    if (const toml::node* base = root.get("extends"))
+      mistakes_.gather([&] { read_extended(*base, path, depth); });
     read_table(root, "", name);
   }
 
@@ -124,21 +115,38 @@ class Reader {
   }
 
  private:
+  void read_extended(const toml::node& base, const std::filesystem::path& path, int depth) {
+    const TomlPlace place{path.string(), base.source().begin.line};
+    const auto target = base.value_exact<std::string>();
+    if (!target) place.fail("extends is " + shown(base) + ", expected the name of a scenario file");
+    if (depth >= 8) place.fail("extends goes more than 8 files deep; does a file extend itself?");
+    const auto parent = path.parent_path() / *target;
+    std::error_code ignored;
+    if (!std::filesystem::exists(parent, ignored))
+      place.fail(
+          fmt::format("extends {}: no such file, expected the name of a scenario file", parent.string()));
+    read(parent, depth + 1);
+  }
+
   void assign(const ScenarioKey& key, const toml::node& node, const TomlPlace& place) {
     std::visit(Assign{file_.scenario, key, node, place}, key.kind);
     file_.origin[std::string(key.path)] = place.name();
   }
 
   void read_table(const toml::table& table, const std::string& prefix, const std::string& name) {
-    for (const auto& [key_text, node] : table) {
-      const std::string path = prefix + std::string(key_text.str());
-      const TomlPlace place{name, key_text.source().begin.line};
-      if (const ScenarioKey* key = find_key(path))
-        assign(*key, node, place);
-      else if (!read_special(path, node, place, file_.scenario))
-        descend(path, node, place);
-      if (path == "loads") file_.inputs.push_back(place.beside(*node.value_exact<std::string>()));
+    for (const auto& [key, value] : table) {
+      const TomlPlace place{name, key.source().begin.line};
+      mistakes_.gather(
+          [&, &k = key, &node = value] { read_key(prefix + std::string(k.str()), node, place); });
     }
+  }
+
+  void read_key(const std::string& path, const toml::node& node, const TomlPlace& place) {
+    if (const ScenarioKey* key = find_key(path))
+      assign(*key, node, place);
+    else if (!read_special(path, node, place, file_.scenario))
+      descend(path, node, place);
+    if (path == "loads") file_.inputs.push_back(place.beside(*node.value_exact<std::string>()));
   }
 
   void descend(const std::string& path, const toml::node& node, const TomlPlace& place) {
@@ -149,6 +157,7 @@ class Reader {
   }
 
   ScenarioFile& file_;
+  Mistakes& mistakes_;
 };
 
 /// Forgets the trunk that was read, with the rigid parts it brought.
@@ -199,6 +208,21 @@ void require_effect(const Setting& setting, const Scenario& s) {
                                  setting.where, s.mesh_file));
 }
 
+/// Puts all settings over the scenario, then reads the trunk that it names.
+void put_over(const std::vector<Setting>& settings, ScenarioFile& file, Mistakes& mistakes) {
+  for (const Setting& setting : settings) mistakes.gather([&] { Reader(file, mistakes).set(setting); });
+  mistakes.settle();
+  read_mesh(file);
+  for (const Setting& setting : settings) mistakes.gather([&] { require_effect(setting, file.scenario); });
+  mistakes.settle();
+}
+
+std::vector<Setting> settings_of(const std::vector<std::string>& texts, Mistakes& mistakes) {
+  std::vector<Setting> settings;
+  for (const std::string& text : texts) mistakes.gather([&] { settings.push_back(setting_of(text)); });
+  return settings;
+}
+
 }  // namespace
 
 std::string ScenarioFile::where(const std::string& key) const {
@@ -209,8 +233,9 @@ std::string ScenarioFile::where(const std::string& key) const {
 ScenarioFile read_scenario(const std::filesystem::path& path, const std::vector<std::string>& settings) {
   ScenarioFile file;
   file.path = path.string();
-  Reader(file).read(path, 0);
-  apply_settings(settings, file);
+  Mistakes mistakes;
+  mistakes.gather([&] { Reader(file, mistakes).read(path, 0); });
+  put_over(settings_of(settings, mistakes), file, mistakes);
   return file;
 }
 
@@ -219,7 +244,9 @@ ScenarioFile scenario_of_text(const std::string& text, const std::string& name,
   ScenarioFile file;
   file.path = name;
   file.text = text;
-  Reader(file).read_text(text, name, 0);
+  Mistakes mistakes;
+  mistakes.gather([&] { Reader(file, mistakes).read_text(text, name, 0); });
+  mistakes.settle();
   if (!trunk_pml.empty()) adopt(trunk_of_pml(trunk_pml, name), file);
   read_mesh(file);
   return file;
@@ -233,15 +260,13 @@ Setting setting_of(const std::string& text) {
 }
 
 void apply_settings(const std::vector<Setting>& settings, ScenarioFile& file) {
-  for (const Setting& setting : settings) Reader(file).set(setting);
-  read_mesh(file);
-  for (const Setting& setting : settings) require_effect(setting, file.scenario);
+  Mistakes mistakes;
+  put_over(settings, file, mistakes);
 }
 
 void apply_settings(const std::vector<std::string>& texts, ScenarioFile& file) {
-  std::vector<Setting> settings;
-  for (const std::string& text : texts) settings.push_back(setting_of(text));
-  apply_settings(settings, file);
+  Mistakes mistakes;
+  put_over(settings_of(texts, mistakes), file, mistakes);
 }
 
 Trunk build_trunk(const ScenarioFile& file) {
@@ -251,12 +276,13 @@ Trunk build_trunk(const ScenarioFile& file) {
   Trunk trunk;
   try {
     trunk = make_trunk(file.scenario);
+  } catch (const InputErrors&) {
+    throw;  // of loads, which name their own lines
   } catch (const InputError& error) {
     const auto is_from = [&](const auto& it) {
       return std::string_view(error.what()).starts_with(it.origin + ": ");
     };
-    if (std::ranges::any_of(file.scenario.loads, is_from)) throw;  // it names its own line
-    if (std::ranges::any_of(file.scenario.rigid, is_from)) throw;
+    if (std::ranges::any_of(file.scenario.rigid, is_from)) throw;  // it names its own line
     throw at(file.scenario.mesh ? file.scenario.mesh_file : file.path, error);
   }
   try {

@@ -34,7 +34,8 @@ Setting setting_of(const std::string& text);
 /// Reads a scenario. `extends = "other.toml"` (relative to the file) is read first and overridden. Throws
 /// InputError with file, line, what was found and what was expected on anything that is not understood: TOML
 /// syntax, unknown keys, wrong units, numbers out of range or not finite, a chain of files that extends
-/// itself. `settings` are "key=value" texts as given to --set, applied last.
+/// itself; InputErrors, so that one reading finds all that is wrong. `settings` are "key=value" texts as
+/// given to --set, applied last.
 ScenarioFile read_scenario(const std::filesystem::path& path, const std::vector<std::string>& settings = {});
 
 /// A scenario from its text, as results files keep it, with the PML text of its trunk where it has one.

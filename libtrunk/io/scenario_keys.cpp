@@ -10,6 +10,11 @@ namespace {
 using Key = ScenarioKey;
 constexpr double mm = 1e-3, ml = 1e-6, ms = 1e-3, one = 1.0;
 
+template <std::size_t Knot>
+double& shape_knot(Scenario& s) {
+  return s.activation.shape[Knot];
+}
+
 std::vector<Key> make_keys() {
   const auto number = [](auto path, auto unit, double to_si, double low, double high, auto field,
                          auto meaning) {
@@ -109,8 +114,8 @@ std::vector<Key> make_keys() {
           "elasticity left in the paralysed half, over the healthy one"),
 
       number(
-          "activation.onset_s", "s", one, 0, 60, [](Scenario& s) -> double& { return s.activation.onset_s; },
-          "start of the contraction"),
+          "activation.onset_s", "s", one, -1, 60, [](Scenario& s) -> double& { return s.activation.onset_s; },
+          "start of the contraction; below 0 it has begun before the simulation"),
       number(
           "activation.rise_s", "s", one, 1e-3, 60, [](Scenario& s) -> double& { return s.activation.rise_s; },
           "linear rise to 1"),
@@ -125,6 +130,24 @@ std::vector<Key> make_keys() {
           "activation.slow_fall_s", "s", one, 1e-3, 60,
           [](Scenario& s) -> double& { return s.activation.slow_fall_s; },
           "the paper's normal decrease, to 0"),
+      number("activation.shape_rise_1", "", one, 0, 100, shape_knot<0>,
+             "activation at 1/6 of the rise, over the straight line's"),
+      number("activation.shape_rise_2", "", one, 0, 100, shape_knot<1>,
+             "activation at 2/6 of the rise, over the straight line's"),
+      number("activation.shape_rise_3", "", one, 0, 100, shape_knot<2>,
+             "activation at 3/6 of the rise, over the straight line's"),
+      number("activation.shape_rise_4", "", one, 0, 100, shape_knot<3>,
+             "activation at 4/6 of the rise, over the straight line's"),
+      number("activation.shape_rise_5", "", one, 0, 100, shape_knot<4>,
+             "activation at 5/6 of the rise, over the straight line's"),
+      number("activation.shape_fast_fall_1", "", one, 0, 100, shape_knot<5>,
+             "activation at 1/2 of the fast fall, over the straight line's"),
+      number("activation.shape_slow_fall_1", "", one, 0, 100, shape_knot<6>,
+             "activation at 1/4 of the slow fall, over the straight line's"),
+      number("activation.shape_slow_fall_2", "", one, 0, 100, shape_knot<7>,
+             "activation at 2/4 of the slow fall, over the straight line's"),
+      number("activation.shape_slow_fall_3", "", one, 0, 100, shape_knot<8>,
+             "activation at 3/4 of the slow fall, over the straight line's"),
       number(
           "activation.period_s", "s", one, 0, 600,
           [](Scenario& s) -> double& { return s.activation.period_s; },

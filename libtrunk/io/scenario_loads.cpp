@@ -24,9 +24,7 @@ RegionLoad load_of(const toml::table& table, const LoadKey& keys, const TomlPlac
   load.kind = keys.kind;
   load.origin = place.name();
   bool has_axes = false;
-  for (const auto& [key_text, value] : table) {
-    const std::string key(key_text.str());
-    const TomlPlace at{place.file, key_text.source().begin.line};
+  const auto read_key = [&](const std::string& key, const toml::node& value, const TomlPlace& at) {
     if (key == "region" && value.is_string()) {
       load.region = *value.value_exact<std::string>();
     } else if (key == "direction") {
@@ -42,7 +40,8 @@ RegionLoad load_of(const toml::table& table, const LoadKey& keys, const TomlPlac
       at.fail(fmt::format("unknown or wrong key '{}' in [[{}]], expected region (a text),{} and {}", key,
                           kind, " direction", keys.events));
     }
-  }
+  };
+  for_each_key(table, place, read_key);
   if (!has_axes) load.axes = without_magnitude(load.direction);
   const Vec3d& acts_along = load.kind == RegionLoad::Kind::displacement ? load.axes : load.direction;
   const bool idle = must_point && dot(acts_along, acts_along) == 0.0;

@@ -26,9 +26,7 @@ RigidPart rigid_part_of(const toml::table& table, const TomlPlace& place) {
   part.origin = place.name();
   part.imposed.axis = {0.0, 0.0, 1.0};
   bool has_axis = false, has_point = false;
-  for (const auto& [key_text, value] : table) {
-    const std::string key(key_text.str());
-    const TomlPlace at{place.file, key_text.source().begin.line};
+  const auto read_key = [&](const std::string& key, const toml::node& value, const TomlPlace& at) {
     ImposedMotion& imposed = part.imposed;
     if (key == "region" && value.is_string()) {
       part.region = *value.value_exact<std::string>();
@@ -57,7 +55,8 @@ RigidPart rigid_part_of(const toml::table& table, const TomlPlace& place) {
                       "axis_point_mm, events_deg, direction or events_mm",
                       key));
     }
-  }
+  };
+  for_each_key(table, place, read_key);
   const bool moves = !part.imposed.angle.empty() || !part.imposed.shift.empty();
   if (part.region.empty()) place.fail("[[rigid]] is incomplete, expected region");
   if (moves != (part.motion == RigidBody::Motion::driven))

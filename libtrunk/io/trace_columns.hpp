@@ -5,23 +5,26 @@
 #include <string>
 #include <vector>
 
+#include "channels/recording.hpp"
 #include "io/column_names.hpp"
-#include "io/delimited_text.hpp"
 #include "io/trace.hpp"
 
 namespace trunk {
 
-/// Where a table holds a breathing signal: positions in its header, with what the names say.
+/// Where a recording holds a breathing signal: positions among its channels, with what their names say.
 struct TraceColumns {
-  std::vector<ColumnName> all;
-  std::size_t time = 0;
+  std::vector<ColumnName> all;  ///< units as they count, also where an option gave them
+  std::optional<std::size_t> time;
+  double rate_hz = 0;  ///< where there is no time
   std::size_t value = 0;
+  SignalKind kind = SignalKind::volume;
   std::optional<std::size_t> sigma;
   std::vector<std::string> notes;  ///< the choice, when there was one
 };
 
-/// Chooses by header as read_trace describes. Throws InputError with the header's line: a column that is
-/// absent or named twice, a chosen column without a usable unit; lists what was found and the nearest name.
-TraceColumns choose_columns(const DelimitedText& table, const TraceOptions& options);
+/// Chooses as read_trace describes. Throws InputErrors with the header's line: a column that is absent or
+/// named twice, a chosen column without a usable unit; lists what was found and names the nearest, or the
+/// option that picks it.
+TraceColumns choose_columns(const Recording& recording, const TraceOptions& options);
 
 }  // namespace trunk

@@ -16,7 +16,7 @@
 namespace trunk {
 namespace {
 
-constexpr std::size_t largest_file = 100'000'000;
+constexpr std::size_t largest_trunk_file = 100'000'000;
 
 class Reader {
  public:
@@ -205,7 +205,7 @@ TrunkFile trunk_of_pml(const std::string& text, const std::string& name) {
 }
 
 TrunkFile read_trunk_pml(const std::filesystem::path& path) {
-  return trunk_of_pml(read_text_file(path, largest_file), path.string());
+  return trunk_of_pml(read_text_file(path, largest_trunk_file), path.string());
 }
 
 }  // namespace trunk

@@ -7,15 +7,12 @@
 
 #include "errors/input_error.hpp"
 #include "mesh/volume.hpp"
+#include "support/trunks.hpp"
 
 using namespace trunk;
 using Catch::Matchers::Contains;
 
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 TrunkMesh mesh_at(int resolution) {
   TrunkGeometry geometry;

@@ -104,7 +104,7 @@ class Fit(TrunkTest):
                 self.refuses(*options, says=says)
 
     def test_timing_that_the_trace_would_overwrite_is_refused(self):
-        self.refuses("--set", "activation.rise_s=1", says="keep-timing")
+        self.refuses("--set", "activation.rise_s=1", says="--timing scenario")
         kept = self.fit("--set", "activation.rise_s=1", "--keep-timing")
         self.assertEqual((kept["activation"]["rise_s"], kept["activation"]["from_trace"]), (1, False))
 
@@ -166,16 +166,54 @@ class Fit(TrunkTest):
 
 
 class Interrupted(TrunkTest):
-    def test_ctrl_c_writes_nothing(self):
-        self.file("t.csv", trace(period_s=12, inspiration_s=4, tau_s=1, rate_hz=20))
+    OPTIONS = ("fit", HEALTHY, "--trace", "t.csv", "-o", "f.h5", *FAST_FIT)
+
+    def setUp(self):
+        super().setUp()
+        self.file("t.csv", trace(period_s=6, inspiration_s=2, tau_s=0.5, rate_hz=20))
+
+    def simulating(self, process):
+        """Whether the fit has simulated something by now."""
+        ledger = self.folder / "f.h5.ledger"
+        return catches(process) and ledger.exists() and ledger.stat().st_size > 80_000
+
+    def test_ctrl_c_leaves_what_the_same_command_goes_on_from(self):
+        whole = self.succeeds(*self.OPTIONS, codes=FITTED)
+        (self.folder / "f.h5").unlink()
         before = self.contents()
         for sign in (signal.SIGINT, signal.SIGTERM):
-            process = start("fit", HEALTHY, "--trace", "t.csv", "-o", "f.h5", "--save-scenario", "s.toml",
-                            cwd=self.folder)
-            outcome = self.interrupt(process, lambda: catches(process), sign)
+            process = start(*self.OPTIONS, "--save-scenario", "s.toml", cwd=self.folder)
+            outcome = self.interrupt(process, lambda: self.simulating(process), sign)
             self.assertEqual(outcome.code, 130, str(outcome))
-            self.assertEqual((outcome.out, outcome.err), ("", "interrupted: nothing written\n"))
-            self.assertEqual(self.contents(), before)
+            self.assertEqual(outcome.out, "")
+            self.assertRegex(outcome.err, r"interrupted: nothing written but f.h5.ledger, from which the same command goes on\n\Z")
+            self.assertEqual(set(self.contents()) - set(before), {str(self.folder / "f.h5.ledger")})
+        self.assert_same_fit(whole, self.succeeds(*self.OPTIONS, codes=FITTED))
+
+    def test_kill_9_loses_nothing(self):
+        whole = self.succeeds(*self.OPTIONS, codes=FITTED)
+        (self.folder / "f.h5").unlink()
+        process = start(*self.OPTIONS, cwd=self.folder)
+        self.interrupt(process, lambda: self.simulating(process), signal.SIGKILL)
+        self.assertFalse((self.folder / "f.h5").exists())
+        self.assert_same_fit(whole, self.succeeds(*self.OPTIONS, codes=FITTED))
+
+    def assert_same_fit(self, whole, resumed):
+        """Bit for bit, with fewer simulations, and the ledger gone."""
+        self.assertGreater(resumed["replayed"], 0)
+        self.assertLess(resumed["simulated"], whole["simulated"])
+        self.assertEqual(resumed["evaluations"], whole["evaluations"])
+        for fit in (whole, resumed):
+            for key in ("wall_s", "simulated", "replayed"):
+                del fit[key]
+        self.assertEqual(resumed, whole)
+        self.assertEqual([p.name for p in self.folder.glob("f.h5*")], ["f.h5"])
+
+    def test_another_command_does_not_take_over(self):
+        process = start(*self.OPTIONS, cwd=self.folder)
+        self.interrupt(process, lambda: self.simulating(process), signal.SIGKILL)
+        other = self.succeeds(*self.OPTIONS, "--set", "parameters.damping_N_s_per_m=21", codes=FITTED)
+        self.assertEqual(other["replayed"], 0)
 
 
 class SavedScenario(TrunkTest):

@@ -36,8 +36,9 @@ class ResultsTest(TrunkTest):
         self.assertEqual((text(file.attrs["schema"]), int(file.attrs["schema_version"])), (f"trunk.{kind}", 1))
         groups, datasets = [], []
         file.visititems(lambda path, o: (groups if isinstance(o, h5py.Group) else datasets).append(path))
-        beside = tuple("parameters/" + name for name in ("initial", "lower", "upper", "best", "stderr", "lower95", "upper95"))
-        beside += ("problem/bounds", "evaluations/x")  # their units stand in a column beside them
+        beside = tuple("parameters/" + name for name in ("initial", "lower", "upper", "best", "stderr", "lower95", "upper95",
+                                                       "naive_lower95", "naive_upper95"))
+        beside += ("problem/bounds", "evaluations/x", "starts/from", "starts/to")  # their units stand in a column beside them
         data = {path: file[path] for path in datasets}
         self.assertEqual([path for path, d in data.items() if d.dtype.kind == "f" and "units" not in d.attrs
                           and not path.endswith(beside)], [])
@@ -113,7 +114,8 @@ class Fit(ResultsTest):
             self.assertTrue(row["lower"] <= row["best"] <= row["upper"])
         for name, data in file["result/statistics"].items():
             expected = json["ratio"][{"ratio": "value", "ratio_lower95": "lower95", "ratio_upper95": "upper95"}[name]] \
-                if name.startswith("ratio") else json[name]
+                if name.startswith("ratio") else json[name] if name != "methods_differ_percent" \
+                else json["cross_check"]["largest_difference_percent"]
             self.assertEqual(data[()], expected, name)
         self.assertEqual(text(file["result"].attrs["verdict"]), json["verdict"])
         evaluations = self.group("f.h5", "evaluations")

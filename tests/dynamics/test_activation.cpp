@@ -69,3 +69,27 @@ TEST_CASE("The activation is the same in another scalar", "[unit][activation]") 
   const BreathActivation<long double> b{};
   for (double t = 0.0; t < 5.0; t += 0.013) CHECK(a(t) == Approx(static_cast<double>(b(t))).margin(1e-15));
 }
+
+TEST_CASE("Knots bend the lines: heights are multiplied, straight in between, nothing else moves",
+          "[unit][activation]") {
+  BreathActivation<double> straight{0.2, 1.2, 0.4, 1.6, 0.35}, bent = straight;
+  const double knot_s[] = {0.4, 0.6, 0.8, 1.0, 1.2, 1.6, 2.2, 2.6, 3.0};
+  for (std::size_t k = 0; k < ShapeKnots::count; ++k) {
+    bent = straight;
+    bent.shape[k] = 1.7;
+    CAPTURE(k);
+    CHECK(bent(knot_s[k]) == Approx(1.7 * straight(knot_s[k])));
+    for (std::size_t other = 0; other < ShapeKnots::count; ++other)
+      if (other != k) CHECK(bent(knot_s[other]) == Approx(straight(knot_s[other])));
+    for (const double end_s : {0.2, 1.4, 1.8, 3.4})
+      CHECK(bent(end_s) == Approx(straight(end_s)).margin(just));
+    const double before = knot_s[k] - 1e-4, after = knot_s[k] + 1e-4;
+    CHECK(bent(before) == Approx(bent(after)).margin(1e-3));  // continuous
+  }
+  bent.shape.fill(0.0);
+  for (double t = -1.0; t < 6.0; t += 1e-3) {
+    REQUIRE(bent(t) >= 0.0);
+    REQUIRE(straight(t) >= 0.0);
+  }
+  CHECK(bent(0.8) == 0.0);
+}

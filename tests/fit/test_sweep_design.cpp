@@ -3,9 +3,9 @@
 #include <numeric>
 
 #include "errors/input_error.hpp"
+#include "parallel/workers.hpp"
 #include "support/temporary_folder.hpp"
 #include "sweep/design.hpp"
-#include "sweep/workers.hpp"
 
 using namespace trunk;
 using Catch::Matchers::Contains;

@@ -12,7 +12,8 @@ import h5py
 import xarray
 
 # Numbers in a unit that another column gives, so without a `units` of their own.
-MIXED_UNITS = {"initial", "lower", "upper", "best", "stderr", "lower95", "upper95", "x", "bounds"}
+MIXED_UNITS = {"initial", "lower", "upper", "best", "stderr", "lower95", "upper95", "naive_lower95", "naive_upper95", "x",
+               "bounds", "from", "to"}
 
 
 def text(value):

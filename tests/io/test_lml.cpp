@@ -37,7 +37,7 @@ std::string loads(const std::string& inside, const std::string& type = "xsi:type
   return open_loads + "<load " + type + ">\n" + inside + "</load>\n</loads>";
 }
 
-std::string message_about(const std::string& text) {
+std::string lml_message(const std::string& text) {
   try {
     read_lml(text, "bad.lml");
   } catch (const InputError& error) {
@@ -50,33 +50,24 @@ std::vector<Target> targets_of(const std::string& text) {
   return read_lml(loads("<appliedTo>" + text + "</appliedTo>" + event + direction), "").loads.at(0).targets;
 }
 
-std::size_t below(Random& random, std::size_t n) {
-  return random.bits() % n;
-}
-
 Target random_target(Random& random) {
   const std::string names[] = {"Lung", "left-lung", "3rd rib", "Zwerchfell, rechts"};
-  const std::size_t first = below(random, 1000);
-  switch (below(random, 4)) {
+  const std::size_t first = random.below(1000);
+  switch (random.below(4)) {
     case 0:
       return AllAtoms{};
     case 1:
-      return ComponentName{names[below(random, 3)]};
+      return ComponentName{names[random.below(3)]};
     case 2:
       return IndexRange{first, first};
     default:
-      return IndexRange{first, first + below(random, 100)};
+      return IndexRange{first, first + random.below(100)};
   }
 }
 
-double random_double(Random& random) {
-  const double value = std::bit_cast<double>(random.bits());
-  return std::isfinite(value) ? value : 0.1;
-}
-
 Axis random_axis(Random& random) {
-  const Axis axes[] = {{}, fixed, along(random_double(random))};
-  return axes[below(random, 3)];
+  const Axis axes[] = {{}, fixed, along(random.finite())};
+  return axes[random.below(3)];
 }
 
 Load random_load(Random& random) {
@@ -84,17 +75,17 @@ Load random_load(Random& random) {
       {Load::Type::translation, ""},   {Load::Type::translation, "mm"}, {Load::Type::force, "kN"},
       {Load::Type::pressure, "cmH2O"}, {Load::Type::rotation, "°"},     {Load::Type::acceleration, "m/s2"}};
   Load load;
-  std::tie(load.type, load.unit) = units[below(random, std::size(units))];
-  for (std::size_t i = 1 + below(random, 4); i > 0; --i) load.targets.push_back(random_target(random));
+  std::tie(load.type, load.unit) = units[random.below(std::size(units))];
+  for (std::size_t i = 1 + random.below(4); i > 0; --i) load.targets.push_back(random_target(random));
   double date = -5.0;
-  for (std::size_t i = 1 + below(random, 4); i > 0; --i)
-    load.events.push_back({date += 0.1 + random.unit(), random_double(random)});
-  if (below(random, 4) == 0) {
-    load.direction = Toward{below(random, 100)};
+  for (std::size_t i = 1 + random.below(4); i > 0; --i)
+    load.events.push_back({date += 0.1 + random.unit(), random.finite()});
+  if (random.below(4) == 0) {
+    load.direction = Toward{random.below(100)};
   } else {
-    load.direction = Axes{random_axis(random), random_axis(random), along(random_double(random))};
+    load.direction = Axes{random_axis(random), random_axis(random), along(random.finite())};
   }
-  if (below(random, 2) == 0) load.attributes = {{"name", "\"<&>'\n\t größer"}, {"note", ""}};
+  if (random.below(2) == 0) load.attributes = {{"name", "\"<&>'\n\t größer"}, {"note", ""}};
   return load;
 }
 
@@ -160,9 +151,9 @@ TEST_CASE("Targets are indexes, ranges, names and everything", "[unit][lml]") {
   CHECK(targets_of("0-<!-- not 9 -->4,&#53;") == Targets{IndexRange{0, 4}, IndexRange{5, 5}});
   for (const std::string bad :
        {"", " ", "1,,2", "1,", "-3", "3-", "1-2-3", "1.5", "+", "99999999999", "0-1000000000"})
-    CHECK_THAT(message_about(loads("<appliedTo>" + bad + "</appliedTo>" + event + direction)),
+    CHECK_THAT(lml_message(loads("<appliedTo>" + bad + "</appliedTo>" + event + direction)),
                Contains("bad.lml:3: ") && Contains("appliedTo"));
-  CHECK_THAT(message_about(loads("<appliedTo>7-3</appliedTo>" + event + direction)),
+  CHECK_THAT(lml_message(loads("<appliedTo>7-3</appliedTo>" + event + direction)),
              Contains("'7-3'") && Contains("smaller index first"));
 }
 
@@ -214,8 +205,8 @@ TEST_CASE("Every kind of bad LML names line, what was found and what was expecte
     std::vector<std::string> parts;
   };
   const std::string good = applied + event + direction;
-  REQUIRE(message_about(loads(good)) == "no error");
-  REQUIRE(message_about(loads("<unit>N</unit>" + good)) == "no error");
+  REQUIRE(lml_message(loads(good)) == "no error");
+  REQUIRE(lml_message(loads("<unit>N</unit>" + good)) == "no error");
   const Bad cases[] = {
       {"", ":1:", {"malformed XML", "LML"}},
       {"<loads/>", ":1:", {"namespace ''", "www-timc.imag.fr/load"}},
@@ -252,7 +243,7 @@ TEST_CASE("Every kind of bad LML names line, what was found and what was expecte
       {loads(good, "xsi:type='Pressure'"), ":2:", {"Pressure in unit ''", "Pa, hPa, kPa"}},
   };
   for (const Bad& bad : cases) {
-    const std::string message = message_about(bad.text);
+    const std::string message = lml_message(bad.text);
     INFO(bad.text << "\n" << message);
     CHECK(message.starts_with("bad.lml" + bad.line));
     for (const std::string& part : bad.parts) CHECK_THAT(message, Contains(part));
@@ -284,8 +275,8 @@ TEST_CASE("Any loads survive writing and reading", "[property][lml]") {
   Random random(3);
   for (int i = 0; i < 300; ++i) {
     Loads loads;
-    for (std::size_t n = below(random, 4); n > 0; --n) loads.loads.push_back(random_load(random));
-    if (below(random, 2) == 0) loads.attributes = {{"comment", "a \"b\" & <c>"}};
+    for (std::size_t n = random.below(4); n > 0; --n) loads.loads.push_back(random_load(random));
+    if (random.below(2) == 0) loads.attributes = {{"comment", "a \"b\" & <c>"}};
     REQUIRE(read_lml(write_lml(loads), "again") == loads);
   }
 }
@@ -297,13 +288,13 @@ TEST_CASE("Truncated or damaged loads are read or refused with a line", "[proper
   const std::string text = write_lml(some);
   REQUIRE(text.size() > 1000);
   for (std::size_t length = 0; length < text.size() - 2; ++length)
-    CHECK_THAT(message_about(text.substr(0, length)), Contains("bad.lml:"));
+    CHECK_THAT(lml_message(text.substr(0, length)), Contains("bad.lml:"));
   std::size_t refused = 0;
   for (int i = 0; i < 3000; ++i) {
     std::string damaged = text;
-    for (std::size_t n = 1 + below(random, 3); n > 0; --n)
-      damaged[below(random, damaged.size())] = static_cast<char>(below(random, 256));
-    refused += message_about(damaged) != "no error";
+    for (std::size_t n = 1 + random.below(3); n > 0; --n)
+      damaged[random.below(damaged.size())] = static_cast<char>(random.below(256));
+    refused += lml_message(damaged) != "no error";
   }
   CHECK(refused > 1000);
 }

@@ -40,24 +40,13 @@ const std::string nasty[] = {"",
                              "<!--",
                              "0"};
 
-std::size_t below(Random& random, std::size_t n) {
-  return random.bits() % n;
-}
-
 Attributes random_attributes(Random& random) {
   const std::string names[] = {"name", "mass", "viscosityW", "mode", "k-m.2", "größe"};
   Attributes attributes;
   for (const std::string& name : names)
-    if (below(random, 3) == 0) attributes.push_back({name, nasty[below(random, std::size(nasty))]});
-  if (below(random, 2) == 0) std::reverse(attributes.begin(), attributes.end());
+    if (random.below(3) == 0) attributes.push_back({name, nasty[random.below(std::size(nasty))]});
+  if (random.below(2) == 0) std::reverse(attributes.begin(), attributes.end());
   return attributes;
-}
-
-double random_double(Random& random) {
-  for (;;) {
-    const double value = std::bit_cast<double>(random.bits());
-    if (std::isfinite(value)) return value;
-  }
 }
 
 class RandomModel {
@@ -69,15 +58,14 @@ class RandomModel {
     model.attributes = random_attributes(random_);
     model.atom_list_attributes = random_attributes(random_);
     model.atom_list_color = color();
-    for (std::size_t i = 0, index = below(random_, 5); i < 12; ++i, index += 1 + below(random_, 1000)) {
-      model.atoms.push_back({index,
-                             {random_double(random_), random_double(random_), random_double(random_)},
-                             random_attributes(random_)});
+    for (std::size_t i = 0, index = random_.below(5); i < 12; ++i, index += 1 + random_.below(1000)) {
+      model.atoms.push_back(
+          {index, {random_.finite(), random_.finite(), random_.finite()}, random_attributes(random_)});
       atoms_.push_back(index);
     }
     std::reverse(model.atoms.begin(), model.atoms.begin() + 5);
     model.exclusive = component(3);
-    if (below(random_, 2) == 0) {
+    if (random_.below(2) == 0) {
       model.informative = component(2);
       model.informative->structures.push_back(structure());
     }
@@ -86,25 +74,25 @@ class RandomModel {
 
  private:
   Attributes color() {
-    if (below(random_, 2) == 0) return {};
+    if (random_.below(2) == 0) return {};
     return {{"r", "0.5"}, {"g", "1"}, {"b", "0"}, {"a", "1"}};
   }
 
   MultiComponent component(int depth) {
     MultiComponent component{random_attributes(random_), {}, {}};
-    for (std::size_t i = below(random_, 3); i > 0 && depth > 0; --i)
+    for (std::size_t i = random_.below(3); i > 0 && depth > 0; --i)
       component.components.push_back(this->component(depth - 1));
-    for (std::size_t i = below(random_, 3); i > 0; --i) component.structures.push_back(structure());
+    for (std::size_t i = random_.below(3); i > 0; --i) component.structures.push_back(structure());
     return component;
   }
 
   StructuralComponent structure() {
     StructuralComponent structure{random_attributes(random_), color(), {}};
-    for (std::size_t i = below(random_, 5); i > 0; --i) {
-      const std::size_t kind = below(random_, 3);
-      if (kind == 0) structure.items.push_back(AtomReference{atoms_[below(random_, atoms_.size())]});
+    for (std::size_t i = random_.below(5); i > 0; --i) {
+      const std::size_t kind = random_.below(3);
+      if (kind == 0) structure.items.push_back(AtomReference{atoms_[random_.below(atoms_.size())]});
       if (kind == 1) structure.items.push_back(cell());
-      if (kind == 2 && cells_ > 0) structure.items.push_back(CellReference{7 * below(random_, cells_)});
+      if (kind == 2 && cells_ > 0) structure.items.push_back(CellReference{7 * random_.below(cells_)});
     }
     return structure;
   }
@@ -113,10 +101,10 @@ class RandomModel {
     const std::pair<const char*, std::size_t> types[] = {
         {"LINE", 2},  {"TRIANGLE", 3},   {"QUAD", 4},      {"TETRAHEDRON", 4}, {"PYRAMID", 5},
         {"WEDGE", 6}, {"HEXAHEDRON", 8}, {"POLY_LINE", 9}, {"POLY_VERTEX", 1}};
-    const auto& [type, size] = types[below(random_, std::size(types))];
+    const auto& [type, size] = types[random_.below(std::size(types))];
     Cell cell{std::nullopt, type, random_attributes(random_), color(), {}};
-    if (below(random_, 2) == 0) cell.index = 7 * cells_++;
-    for (std::size_t i = 0; i < size; ++i) cell.atoms.push_back(atoms_[below(random_, atoms_.size())]);
+    if (random_.below(2) == 0) cell.index = 7 * cells_++;
+    for (std::size_t i = 0; i < size; ++i) cell.atoms.push_back(atoms_[random_.below(atoms_.size())]);
     return cell;
   }
 
@@ -270,8 +258,8 @@ TEST_CASE("A truncated or damaged model is read or refused with a line", "[prope
   refused = 0;
   for (int i = 0; i < 2000; ++i) {
     std::string damaged = text;
-    for (std::size_t n = 1 + below(random, 3); n > 0; --n)
-      damaged[below(random, damaged.size())] = static_cast<char>(below(random, 256));
+    for (std::size_t n = 1 + random.below(3); n > 0; --n)
+      damaged[random.below(damaged.size())] = static_cast<char>(random.below(256));
     survives(damaged);
   }
   CHECK(refused > 500);

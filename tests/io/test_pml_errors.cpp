@@ -39,7 +39,7 @@ std::string nested(int depth) {
   return text + tail;
 }
 
-std::string message_about(const std::string& text) {
+std::string pml_message(const std::string& text) {
   try {
     read_pml(text, "bad.pml");
   } catch (const InputError& error) {
@@ -111,7 +111,7 @@ TEST_CASE("Every kind of bad PML names line, what was found and what was expecte
       {nested(65), ":70:", {"depth 65", "at most 64"}},
   };
   for (const Bad& bad : cases) {
-    const std::string message = message_about(bad.text);
+    const std::string message = pml_message(bad.text);
     INFO(bad.text << "\n" << message);
     CHECK(message.starts_with("bad.pml" + bad.line));
     for (const std::string& wanted : bad.parts) CHECK_THAT(message, Contains(wanted));
@@ -124,38 +124,38 @@ TEST_CASE("Cells have the number of atoms that their type asks for", "[unit][pml
                                                {"TETRAHEDRON", 4}, {"PYRAMID", 5},  {"WEDGE", 6},
                                                {"HEXAHEDRON", 8}};
   for (const auto& [type, size] : types) {
-    CHECK(message_about(part(cell("type='" + type + "'", size))) == "no error");
+    CHECK(pml_message(part(cell("type='" + type + "'", size))) == "no error");
     for (const int wrong : {size - 1, size + 1})
       CHECK_THAT(
-          message_about(part(cell("type='" + type + "'", wrong))),
+          pml_message(part(cell("type='" + type + "'", wrong))),
           Contains(type + " of " + std::to_string(wrong) + " atoms, expected " + std::to_string(size)));
   }
   for (const std::string type : {"POLY_LINE", "POLY_VERTEX"})
     for (const int size : {1, 2, 9})
-      CHECK(message_about(part(cell("type='" + type + "'", size))) == "no error");
+      CHECK(pml_message(part(cell("type='" + type + "'", size))) == "no error");
 }
 
 TEST_CASE("Entities are neither expanded nor fetched", "[unit][pml]") {
   const std::string laughs =
       "<?xml version='1.0'?>\n<!DOCTYPE physicalModel [\n<!ENTITY a 'ha'>\n<!ENTITY b '&a;&a;&a;&a;'>\n]>\n";
-  CHECK_THAT(message_about(laughs + part("")), Contains("bad.pml:2: DOCTYPE") && Contains("remove it"));
-  CHECK_THAT(message_about("<!DOCTYPE a SYSTEM 'file:///etc/passwd'>\n" + part("")), Contains("DOCTYPE"));
-  CHECK_THAT(message_about("<!DOCTYPE a [<!ENTITY x SYSTEM 'file:///etc/passwd'>"), Contains("malformed"));
-  CHECK_THAT(message_about(atoms("index='&x;' x='0' y='0' z='0'")), Contains("index='&x;'"));
+  CHECK_THAT(pml_message(laughs + part("")), Contains("bad.pml:2: DOCTYPE") && Contains("remove it"));
+  CHECK_THAT(pml_message("<!DOCTYPE a SYSTEM 'file:///etc/passwd'>\n" + part("")), Contains("DOCTYPE"));
+  CHECK_THAT(pml_message("<!DOCTYPE a [<!ENTITY x SYSTEM 'file:///etc/passwd'>"), Contains("malformed"));
+  CHECK_THAT(pml_message(atoms("index='&x;' x='0' y='0' z='0'")), Contains("index='&x;'"));
   CHECK(*find(read_pml("<physicalModel name='&x;'" + part("").substr(14), "").attributes, "name") == "&x;");
 }
 
 TEST_CASE("What is odd but clear is read", "[unit][pml]") {
-  CHECK(message_about(part("")) == "no error");
-  CHECK(message_about(nested(64)) == "no error");
-  CHECK(message_about("\xEF\xBB\xBF<?xml version='1.0' encoding='UTF-16'?>\n<!-- c -->" + part("")) ==
+  CHECK(pml_message(part("")) == "no error");
+  CHECK(pml_message(nested(64)) == "no error");
+  CHECK(pml_message("\xEF\xBB\xBF<?xml version='1.0' encoding='UTF-16'?>\n<!-- c -->" + part("")) ==
         "no error");
-  CHECK(message_about(head + tail.substr(0, 39) + "<informativeComponents/></physicalModel>") == "no error");
+  CHECK(pml_message(head + tail.substr(0, 39) + "<informativeComponents/></physicalModel>") == "no error");
   SECTION("counts that disagree, as in files that are about") {
-    CHECK(message_about(part("<nrOfStructures value='35'/><atomRef index='1'/>")) == "no error");
+    CHECK(pml_message(part("<nrOfStructures value='35'/><atomRef index='1'/>")) == "no error");
   }
   SECTION("a cell that comes after what refers to it") {
-    CHECK(message_about(part("<cellRef index='7'/>" + cell("index='7' type='LINE'", 2))) == "no error");
+    CHECK(pml_message(part("<cellRef index='7'/>" + cell("index='7' type='LINE'", 2))) == "no error");
   }
   SECTION("numbers with a plus sign or white space") {
     const auto model = read_pml(atoms("index=' 3 ' x='+1.5' y=' 2&#10;' z='-0.0'"), "");
@@ -164,12 +164,11 @@ TEST_CASE("What is odd but clear is read", "[unit][pml]") {
 }
 
 TEST_CASE("Texts that are too long or too deep end in an error", "[unit][pml]") {
-  CHECK_THAT(message_about(std::string(100'000'001, ' ')),
-             Contains("bad.pml: ") && Contains("at most 100 MB"));
+  CHECK_THAT(pml_message(std::string(100'000'001, ' ')), Contains("bad.pml: ") && Contains("at most 100 MB"));
   std::string deep;
   for (int i = 0; i < 300'000; ++i) deep += "<a>";
-  CHECK_THAT(message_about(deep), Contains("malformed"));
+  CHECK_THAT(pml_message(deep), Contains("malformed"));
   for (int i = 0; i < 300'000; ++i) deep += "</a>";
-  CHECK_THAT(message_about(deep), Contains("<a> found"));
-  CHECK_THAT(message_about(nested(200'000)), Contains("depth 65"));
+  CHECK_THAT(pml_message(deep), Contains("<a> found"));
+  CHECK_THAT(pml_message(nested(200'000)), Contains("depth 65"));
 }

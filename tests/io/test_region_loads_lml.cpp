@@ -16,11 +16,11 @@ using Kind = RegionLoad::Kind;
 
 namespace {
 
-std::string load(const std::string& type, const std::string& applied_to, const std::string& direction,
+std::string load(const std::string& type, const std::string& applied_to, const std::string& towards,
                  const std::string& unit = "",
                  const std::string& events = "<valueEvent date='0' value='1'/>") {
   return "<load xsi:type='" + type + "'><appliedTo>" + applied_to + "</appliedTo>" + events + "<direction " +
-         direction + "/>" + (unit.empty() ? "" : "<unit>" + unit + "</unit>") + "</load>\n";
+         towards + "/>" + (unit.empty() ? "" : "<unit>" + unit + "</unit>") + "</load>\n";
 }
 
 /// The first load is on line 2.
@@ -48,7 +48,7 @@ Trunk trunk_with(const std::string& loads, const std::string& more = "") {
   return build_trunk(read_scenario(folder.write("own.toml", "loads = \"some.lml\"\n" + more)));
 }
 
-std::string message_about(const std::string& loads, const std::string& more = "") {
+std::string loads_message(const std::string& loads, const std::string& more = "") {
   try {
     trunk_with(loads, more);
   } catch (const InputError& error) {
@@ -177,7 +177,7 @@ TEST_CASE("A pressure acts on the triangles within its targets; with a direction
   std::vector<Vec3d> force(113);
   add_focal<double>(along.model.focal_forces, 1.0, force);
   CHECK(norm(total(force) - Vec3d{0, 0, -1000.0 * area}) < 1e-10);
-  CHECK_THAT(message_about(load("Pressure", "60", "x='0'", "Pa")), Contains("no triangle"));
+  CHECK_THAT(loads_message(load("Pressure", "60", "x='0'", "Pa")), Contains("no triangle"));
 }
 
 TEST_CASE("Loads written as LML and read again are the same", "[property][io]") {
@@ -251,9 +251,9 @@ TEST_CASE("The published compression is read as loads of regions", "[unit][io]")
 
 TEST_CASE("What loads cannot do is refused with file and line", "[unit][io]") {
   const std::string good = load("Force", "pelvis", "z='1'");
-  REQUIRE(message_about(good) == "no error");
+  REQUIRE(loads_message(good) == "no error");
   const auto refused = [&](const std::string& bad, const std::vector<std::string>& parts) {
-    const std::string message = message_about(good + bad);
+    const std::string message = loads_message(good + bad);
     INFO(message);
     CHECK_THAT(message, Contains("some.lml:3: "));
     for (const std::string& part : parts) CHECK_THAT(message, Contains(part));
@@ -277,7 +277,7 @@ TEST_CASE("What loads cannot do is refused with file and line", "[unit][io]") {
 }
 
 TEST_CASE("A displacement from LML on a moving part is refused with its line", "[unit][io]") {
-  const std::string message = message_about(load("Translation", "central_tendon", "z='1'"),
+  const std::string message = loads_message(load("Translation", "central_tendon", "z='1'"),
                                             "[[rigid]]\nregion = \"central_tendon\"\nmotion = \"free\"\n");
   CHECK_THAT(message, Contains("some.lml:2: ") && Contains("moving rigid part"));
 }

@@ -180,3 +180,36 @@ TEST_CASE("No text makes the reader crash or run on", "[property][io]") {
     }
   }
 }
+
+TEST_CASE("All mistakes of a scenario and its settings are found in one reading, by line", "[unit][io]") {
+  const TemporaryFolder folder;
+  folder.write("base.toml", "[time]\nduration_s = -1\n[tissue]\nribs = 3\n");
+  const auto path = folder.write("bad.toml",
+                                 "extends = \"base.toml\"\n[time]\ndt_ms = true\n[paralysis]\nside = \"up\"\n"
+                                 "[geometry]\nwidth = 3\n[[force]]\nregion = 7\ndirection = [0, 0]\n");
+  std::vector<std::string> texts;
+  try {
+    read_scenario(path, {"time.dt_ms=x", "nothing", "time.frame_every_ms=5"});
+  } catch (const InputErrors& errors) {
+    texts = errors.texts();
+    CHECK_THAT(errors.what(), Contains("base.toml:2: ") && Contains("(and 8 more: `trunk check` lists all)"));
+    CHECK(std::string(errors.what()).find('\n') == std::string::npos);
+  }
+  const std::string expected[] = {"base.toml:2: time.duration_s",
+                                  "base.toml:4: tissue.ribs",
+                                  "bad.toml:3: time.dt_ms is true",
+                                  "bad.toml:5: paralysis.side",
+                                  "bad.toml:7: unknown key 'geometry.width'",
+                                  "bad.toml:9: unknown or wrong key 'region'",
+                                  "bad.toml:10: force.direction",
+                                  "--set nothing: expected key=value",
+                                  "--set time.dt_ms=x: "};
+  REQUIRE(texts.size() == std::size(expected));
+  for (std::size_t i = 0; i < texts.size(); ++i) CHECK_THAT(texts[i], Contains(expected[i]));
+}
+
+TEST_CASE("All loads that cannot be are found in one building", "[unit][io]") {
+  const std::string load = "[[force]]\nregion = \"liver\"\ndirection = [0, 0, 1]\nevents_N = [[0, 1]]\n";
+  CHECK_THAT(message_about(load + load),
+             Contains("bad.toml:1: there is no region or particle 'liver'") && Contains("(and 1 more"));
+}

@@ -69,7 +69,7 @@ std::string template_text() {
   return trunk_pml(Scenario{});
 }
 
-std::string message_about(const std::string& text) {
+std::string trunk_message(const std::string& text) {
   try {
     trunk_of_pml(text, "bad.pml");
   } catch (const InputError& error) {
@@ -238,7 +238,7 @@ TEST_CASE("A trunk in metres is read as one in millimetres", "[unit][io]") {
 TEST_CASE("A PML that is no trunk: the message names the file, what was found and what was expected",
           "[unit][io]") {
   const std::string good = template_text();
-  REQUIRE(message_about(good) == "no error");
+  REQUIRE(trunk_message(good) == "no error");
   const std::string triangle = "<cellProperties type=\"TRIANGLE\"";
   struct Bad {
     std::string text;
@@ -291,7 +291,7 @@ TEST_CASE("A PML that is no trunk: the message names the file, what was found an
                         "index=\"_\" x", "index=\"4\" x"),
                    {"atom 4 follows 3 others", "in order"}});
   for (const Bad& bad : cases) {
-    const std::string message = message_about(bad.text);
+    const std::string message = trunk_message(bad.text);
     INFO(message);
     CHECK(message.starts_with("bad.pml"));
     for (const std::string& part : bad.parts) CHECK_THAT(message, Contains(part));

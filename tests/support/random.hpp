@@ -1,5 +1,7 @@
 #pragma once
 
+#include <bit>
+#include <cmath>
 #include <cstdint>
 #include <numbers>
 
@@ -24,6 +26,13 @@ class Random {
   double unit() { return static_cast<double>(bits() >> 11) * 0x1p-53; }
   /// In [low, high).
   double between(double low, double high) { return low + (high - low) * unit(); }
+  /// One of 0..n-1.
+  std::size_t below(std::size_t n) { return static_cast<std::size_t>(bits() % n); }
+  /// Any finite double, of any size.
+  double finite() {
+    for (;;)
+      if (const double value = std::bit_cast<double>(bits()); std::isfinite(value)) return value;
+  }
   /// In a cube of half edge `size`.
   Vec3d vector(double size) {
     const double x = between(-size, size), y = between(-size, size), z = between(-size, size);

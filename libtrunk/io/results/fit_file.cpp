@@ -73,12 +73,17 @@ void write_parameters(hid_t root, const FitRecord& fit) {
   write("stderr", "standard error of best", &Parameter::stderr_);
   write("lower95", "lower end of the 95 % interval", &Parameter::lower95);
   write("upper95", "upper end of the 95 % interval", &Parameter::upper95);
+  write("naive_lower95", "lower end as if all samples were independent", &Parameter::naive_lower95);
+  write("naive_upper95", "upper end as if all samples were independent", &Parameter::naive_upper95);
   write_flags(
       write_array(parameters, {"at_bound", "1", "best is a limit"}, flags(all, &Parameter::at_bound), {name}),
       {"inside", "at_bound"});
   write_flags(
       write_array(parameters, {"free", "1", "varied by the fit"}, flags(all, &Parameter::free), {name}),
       {"fixed", "free"});
+  write_flags(write_array(parameters, {"beside", "1", "estimated along with the free ones"},
+                          flags(all, &Parameter::beside), {name}),
+              {"no", "beside"});
   write_covariance(parameters, fit);
 }
 
@@ -116,6 +121,79 @@ void write_result(hid_t root, const FitRecord& fit) {
   layout::write_numbers(create_group(result, "statistics"), fit.statistics);
 }
 
+void write_starts(hid_t root, const FitRecord& fit) {
+  if (fit.starts.empty()) return;
+  const Group starts = create_group(root, "starts");
+  const Axis one = write_count_axis(starts, {"start", "1", "local search"}, fit.starts.size());
+  const Axis parameter = write_axis(starts, {"parameter", "", "parameter"}, fit.evaluation_names);
+  std::vector<double> from, to, objective;
+  std::vector<std::int32_t> converged;
+  for (const FitRecord::Start& s : fit.starts) {
+    from.insert(from.end(), s.from.begin(), s.from.end());
+    to.insert(to.end(), s.to.begin(), s.to.end());
+    objective.push_back(s.objective);
+    converged.push_back(s.converged ? 1 : 0);
+  }
+  write_array(starts, {"from", "", "where it began, " + unit_in_table}, from, {one, parameter});
+  write_array(starts, {"to", "", "where it ended, " + unit_in_table}, to, {one, parameter});
+  write_array(starts, {"objective", "1", "objective at its end"}, objective, {one});
+  write_flags(write_array(starts, {"converged", "1", "it ended by itself"}, converged, {one}),
+              {"no", "converged"});
+}
+
+void write_profiles(hid_t root, const FitRecord& fit) {
+  if (fit.profiles.empty()) return;
+  const Group profiles = create_group(root, "profiles");
+  for (const FitRecord::Profile& p : fit.profiles) {
+    const Group one = create_group(profiles, p.name);
+    const Axis value = write_axis(one, {"value", layout::file_unit(p.unit), p.name}, p.value);
+    write_array(one, {"deviance", "1", "-2 log likelihood above its best, AR(1)"}, p.deviance, {value});
+    write_flags(
+        write_array(one, {"at_bound", "1", "another parameter sat on its bound"}, p.at_bound, {value}),
+        {"inside", "at_bound"});
+    layout::write_numbers(one, {{"lower95", p.unit, p.lower95}, {"upper95", p.unit, p.upper95}});
+  }
+}
+
+void write_surface(hid_t root, const FitRecord& fit) {
+  const FitRecord::Surface& s = fit.surface;
+  if (s.deviance.empty()) return;
+  const Group surface = create_group(root, "surface");
+  const auto axis = [&](int i, const char* name) {
+    return write_axis(surface, {name, layout::file_unit(s.unit[i]), s.name[i]}, s.axis[i]);
+  };
+  const Axis first = axis(0, "first"), second = axis(1, "second");
+  write_array(surface, {"deviance", "1", "-2 log likelihood above its best, AR(1)"}, s.deviance,
+              {first, second});
+  layout::write_numbers(surface, {{"threshold95", "1", s.threshold95}});
+}
+
+void write_breaths(hid_t root, const FitRecord& fit) {
+  if (fit.breaths.empty()) return;
+  const Group breaths = create_group(root, "breaths");
+  const Axis one =
+      write_count_axis(breaths, {"fitted_breath", "1", "fitted breath"}, fit.breaths.front().values.size());
+  for (const NamedColumn& c : fit.breaths)
+    if (!layout::is_reproducible() || !layout::is_clock_time(c.name))
+      write_array(breaths, {c.name, layout::file_unit(c.unit), c.name}, c.values, {one});
+  write_array(breaths, {"status", "", "outcome of the fit of this breath"}, fit.breath_status, {one});
+}
+
+void write_predictions(hid_t root, const FitRecord& fit) {
+  if (fit.predictions.empty()) return;
+  const Group predictions = create_group(root, "predictions");
+  for (const FitRecord::Prediction& p : fit.predictions) {
+    const Group one = create_group(predictions, p.name);
+    hdf5::write_attribute(one, "scenario", p.scenario);
+    layout::write_numbers(one, p.numbers);
+    if (p.delta_v_m3.empty()) continue;
+    const Axis draw = write_count_axis(one, {"draw", "1", "draw of the parameters"}, p.delta_v_m3.size());
+    write_array(one, {"delta_v_draws", "ml", "tidal volume"}, layout::to_ml(p.delta_v_m3), {draw});
+    write_array(one, {"own_delta_v_draws", "ml", "tidal volume in the scenario of the fit, same draw"},
+                layout::to_ml(p.own_delta_v_m3), {draw});
+  }
+}
+
 /// Same program, same call: its provenance is the fit's.
 void write_best_run(hid_t root, const FitRecord& fit) {
   const Group best = create_group(root, "best_run");
@@ -134,6 +212,11 @@ void write_fit(const std::filesystem::path& path, const FitRecord& fit) {
     write_problem(root, fit);
     write_parameters(root, fit);
     write_evaluations(root, fit);
+    write_starts(root, fit);
+    write_profiles(root, fit);
+    write_surface(root, fit);
+    write_breaths(root, fit);
+    write_predictions(root, fit);
     write_result(root, fit);
     layout::write_provenance(root, fit.provenance);
     write_best_run(root, fit);

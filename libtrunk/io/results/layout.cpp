@@ -114,7 +114,7 @@ bool is_reproducible() {
 }
 
 bool is_clock_time(const std::string& name) {
-  return name == "wall_s";
+  return name == "wall_s" || name == "latency_ms";
 }
 
 std::string file_unit(const std::string& unit) {

@@ -78,6 +78,34 @@ struct FitRecord {
     std::string name, unit;
     double initial = 0, lower = 0, upper = 0, best = 0, stderr_ = 0, lower95 = 0, upper95 = 0;
     bool at_bound = false, free = true;
+    bool beside = false;  // estimated along with the free ones without being asked for
+    double naive_lower95 = 0, naive_upper95 = 0;  // as if all samples were independent
+  };
+  /// A local search of a multistart.
+  struct Start {
+    std::vector<double> from, to;  ///< [F], natural units
+    double objective = 0;
+    bool converged = false;
+  };
+  /// The fit as one parameter is moved and the others follow.
+  struct Profile {
+    std::string name, unit;
+    std::vector<double> value, deviance;  ///< [K]
+    std::vector<std::int32_t> at_bound;   ///< [K] another parameter sat on its bound
+    double lower95 = 0, upper95 = 0;      ///< infinite where the profile does not close
+  };
+  /// The likelihood over a grid of two parameters; no points: none.
+  struct Surface {
+    std::string name[2], unit[2];
+    std::vector<double> axis[2];   ///< [n]
+    std::vector<double> deviance;  ///< [n*n], the second axis fastest
+    double threshold95 = 0;
+  };
+  /// What the fit makes of another scenario.
+  struct Prediction {
+    std::string name, scenario;                      ///< short; the file
+    std::vector<NamedValue> numbers;                 ///< volumes and their ratio, with intervals
+    std::vector<double> delta_v_m3, own_delta_v_m3;  ///< [D] draws of the parameters; NaN where one failed
   };
 
   std::string title, status, message;
@@ -98,6 +126,12 @@ struct FitRecord {
 
   std::vector<double> result_time_s, dV_fit_m3, residual_m3;  ///< [Tr]; residual = model - measured
   std::vector<NamedValue> statistics;                         ///< nrmse and the like
+  std::vector<Start> starts;                                  //
+  std::vector<Profile> profiles;                              //
+  Surface surface;                                            //
+  std::vector<NamedColumn> breaths;                           ///< a fit a breath: columns [B]; or empty
+  std::vector<std::string> breath_status;                     ///< [B]
+  std::vector<Prediction> predictions;                        //
   RunRecord best_run;                                         ///< its provenance is the fit's
   Provenance provenance;
 };

@@ -1,0 +1,179 @@
+#include "breaths/turn_windows.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "breaths/robust.hpp"
+
+namespace trunk {
+namespace {
+
+constexpr double bins_per_breath = 200;
+constexpr double around_turn = 0.1, around_at_most = 0.35;  // of a height: what is fitted
+constexpr double noise_share = 8;                           // so many deviations of the bins are added
+constexpr double seen = 0.5;        // of what is fitted: below, a side of the turn is not in the record
+constexpr double longest_side = 3;  // breaths
+constexpr int more_bins = 3;        // on either side, for sharp turns and few samples
+constexpr std::size_t many_turns = 40;
+constexpr double least_misfit = 1e-8;
+
+constexpr double evenly = HUGE_VAL;                                          // a time constant
+constexpr std::array onset_lags{0.0, 0.01, 0.02, 0.04, 0.08, 0.16, evenly};  // breaths
+constexpr std::array other_lags{0.0, evenly};
+
+using Samples = std::span<const double>;
+
+std::size_t bin_at(Samples begins, double time) {
+  return static_cast<std::size_t>(std::upper_bound(begins.begin(), begins.end(), time) - begins.begin()) - 1;
+}
+
+// Where to look on either side of a turn: up to these bins and these heights above it.
+struct Reach {
+  std::size_t first, last;
+  double height_before, height_after;
+};
+
+TurnWindow around(const BinnedVolume& bins, std::size_t turn, const Reach& reach, double share) {
+  const auto height = [&](std::size_t i) { return bins.smooth[i] - bins.smooth[turn]; };
+  const auto inside = [&](std::size_t i, double full) { return height(i) <= share * full; };
+  const auto enough = [&](std::size_t i, double full) { return height(i) > around_at_most * full; };
+  std::size_t from = turn, until = turn;
+  while (from > reach.first && inside(from - 1, reach.height_before)) --from;
+  while (until < reach.last && inside(until + 1, reach.height_after)) ++until;
+  for (int more = 0; more < more_bins && from > reach.first && !enough(from, reach.height_before); ++more)
+    --from;
+  for (int more = 0; more < more_bins && until < reach.last && !enough(until, reach.height_after); ++more)
+    ++until;
+  const auto part = [&](const std::vector<double>& all) {
+    return Samples(all).subspan(from, until - from + 1);
+  };
+  return {
+      part(bins.time),
+      part(bins.volume),
+      part(bins.smooth),
+      {height(from) > seen * share * reach.height_before, height(until) > seen * share * reach.height_after},
+      std::max(reach.height_before, reach.height_after)};
+}
+
+std::vector<TurnWindow> around_rests(const BinnedVolume& bins, double share) {
+  std::vector<TurnWindow> windows;
+  const std::size_t n = bins.peak.size();
+  for (std::size_t i = 0; i <= n; ++i) {
+    const auto height = [&](std::size_t k) {
+      return bins.smooth[bins.peak[k]] - bins.smooth[bins.trough[i]];
+    };
+    windows.push_back(around(bins, bins.trough[i],
+                             {i > 0 ? bins.peak[i - 1] : 0, i < n ? bins.peak[i] : bins.time.size() - 1,
+                              height(i > 0 ? i - 1 : 0), height(i < n ? i : n - 1)},
+                             share));
+  }
+  return windows;
+}
+
+void keep(TurnWindow& w, std::size_t first, std::size_t count) {
+  w.time = w.time.subspan(first, count), w.volume = w.volume.subspan(first, count);
+}
+
+// Of what comes before the inspiration, about as much as is fitted of it: not the whole tail of an
+// expiration.
+void shorten(TurnWindow& w, double longest_s) {
+  if (!w.sides.after) return keep(w, 0, bin_at(w.time, w.time.front() + longest_s) + 1);
+  const double low = *std::min_element(w.volume.begin(), w.volume.end()), high = w.volume.back();
+  std::size_t third = w.time.size() - 1;
+  while (third > 0 && w.volume[third] > low + (high - low) / 3) --third;
+  const double length = std::min(3 * (w.time.back() - w.time[third]), longest_s);
+  std::size_t first = 0;
+  while (first + 1 < third && w.time[first] < w.time.back() - length) ++first;
+  keep(w, first, w.time.size() - first);
+}
+
+// Mean log misfit, which no single odd breath decides.
+double misfit_of(const std::vector<TurnWindow>& windows, TurnShape shape) {
+  const std::size_t stride = windows.size() / many_turns + 1;
+  double sum = 0, count = 0;
+  for (std::size_t i = 0; i < windows.size(); i += stride, ++count) {
+    const TurnWindow& w = windows[i];
+    const double misfit = fit_turn(w.time, w.volume, shape, w.sides).misfit;
+    sum += std::log(std::max(misfit / (w.height * w.height), least_misfit));
+  }
+  return sum / count;
+}
+
+TurnShape shape_of(const std::vector<TurnWindow>& windows, Samples lags_after) {
+  TurnShape best{evenly, evenly};
+  double least = HUGE_VAL;
+  for (const double before : other_lags)
+    for (const double after : lags_after)
+      if (const double misfit = misfit_of(windows, {before, after}); misfit < least)
+        least = misfit, best = {before, after};
+  return best;
+}
+
+}  // namespace
+
+BinnedVolume::BinnedVolume(Samples time_s, Samples samples, const WholeBreaths& breaths) {
+  std::vector<double> durations;
+  for (std::size_t i = 1; i < breaths.trough.size(); ++i)
+    durations.push_back(time_s[breaths.trough[i]] - time_s[breaths.trough[i - 1]]);
+  period = median(std::move(durations));
+  std::vector<double> begins;
+  for (std::size_t i = 0; i < time_s.size();) {
+    begins.push_back(time_s[i]);
+    const double end = time_s[i] + period / bins_per_breath;
+    double t = 0, v = 0, count = 0;
+    do t += time_s[i], v += samples[i], ++count, ++i;
+    while (i < time_s.size() && time_s[i] < end);
+    time.push_back(t / count);
+    volume.push_back(v / count);
+  }
+  for (const std::size_t i : breaths.trough) trough.push_back(bin_at(begins, time_s[i]));
+  for (const std::size_t i : breaths.peak) peak.push_back(bin_at(begins, time_s[i]));
+}
+
+BinnedVolume BinnedVolume::above(const KnotLine& rest, double slope_outside, double height,
+                                 double sign) const {
+  BinnedVolume level = *this;
+  for (std::size_t i = 0; i < time.size(); ++i)
+    level.volume[i] = sign * (volume[i] - rest(time[i], slope_outside));
+  const double of_bins = noise_deviation(level.volume);
+  const std::size_t width = averaging_width(of_bins, 0.01 * height, 5);
+  level.smooth = moving_average(level.volume, width);
+  level.noise = of_bins / std::sqrt(static_cast<double>(width));
+  level.around = std::min(around_turn + noise_share * of_bins / height, around_at_most);
+  return level;
+}
+
+std::vector<TurnWindow> around_onsets(const BinnedVolume& level, Nearness nearness) {
+  auto windows = around_rests(level, nearness == Nearness::close ? level.around : around_at_most);
+  for (auto& w : windows) shorten(w, longest_side * level.period);
+  return windows;
+}
+
+std::vector<TurnWindow> around_pauses(const BinnedVolume& level) {
+  return around_rests(level, around_at_most);
+}
+
+std::vector<TurnWindow> around_tops(const BinnedVolume& bins) {
+  std::vector<TurnWindow> windows;
+  for (std::size_t i = 0; i < bins.peak.size(); ++i) {
+    const auto depth = [&](std::size_t k) { return bins.smooth[bins.trough[k]] - bins.smooth[bins.peak[i]]; };
+    windows.push_back(around(bins, bins.peak[i], {bins.trough[i], bins.trough[i + 1], depth(i), depth(i + 1)},
+                             bins.around));
+  }
+  return windows;
+}
+
+std::vector<Turn> turns_in(const std::vector<TurnWindow>& windows, TurnKind kind, double period) {
+  std::vector<double> lags(other_lags.begin(), other_lags.end());
+  if (kind == TurnKind::onset) {
+    lags.assign(onset_lags.begin(), onset_lags.end());
+    for (double& lag : lags) lag *= period;
+  }
+  const TurnShape shape = shape_of(windows, lags);
+  std::vector<Turn> turns;
+  for (const TurnWindow& w : windows) turns.push_back(fit_turn(w.time, w.volume, shape, w.sides));
+  return turns;
+}
+
+}  // namespace trunk

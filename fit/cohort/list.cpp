@@ -1,0 +1,73 @@
+#include "cohort/list.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include "errors/input_error.hpp"
+#include "io/delimited_text.hpp"
+#include "io/message_text.hpp"
+#include "io/text_file.hpp"
+
+namespace trunk {
+namespace {
+
+constexpr std::size_t max_file_bytes = 50'000'000, longest_name = 100;
+
+void require_file_name(const DelimitedText& table, std::size_t line, const std::string& name) {
+  const auto odd = [](unsigned char c) { return c < 32 || c == 127 || c == '/' || c == '\\'; };
+  const bool fits = !name.empty() && name.size() <= longest_name &&
+                    std::string_view(".-+=@").find(name.front()) == std::string_view::npos &&
+                    name != "cohort" && std::none_of(name.begin(), name.end(), odd);
+  if (fits) return;
+  throw InputError(table.source(), line,
+                   (name.empty() ? "a row without a subject" : "subject " + excerpt(name)) +
+                       " found; expected a name for its result file: 1 to 100 characters, no slash, not "
+                       "beginning with one of . - + = @, not 'cohort'");
+}
+
+std::vector<std::string> distinct_columns(const DelimitedText& table) {
+  const auto& names = table.names();
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (std::find(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(i), names[i]) !=
+        names.begin() + static_cast<std::ptrdiff_t>(i))
+      throw InputError(table.source(), table.header_line(),
+                       "column " + excerpt(names[i]) + " found twice; expected each once");
+  return names;
+}
+
+}  // namespace
+
+CohortList read_cohort_list(const std::filesystem::path& path) {
+  CohortList list;
+  list.path = path;
+  list.text = read_text_file(path, max_file_bytes);
+  DelimitedText table(path.string(), list.text, &list_layout);
+  list.header_line = table.header_line();
+  list.columns = distinct_columns(table);
+  const auto subject = std::find(list.columns.begin(), list.columns.end(), "subject");
+  if (subject == list.columns.end())
+    throw InputError(table.source(), table.header_line(),
+                     "no column 'subject' found; expected a header such as subject,trace");
+  const auto at = static_cast<std::size_t>(subject - list.columns.begin());
+  std::map<std::string, std::size_t> lines;
+  for (DelimitedText::Row row; table.next(row);) {
+    CohortSubject s{"", row.line, {row.cells.begin(), row.cells.end()}};
+    s.cells.resize(list.columns.size());
+    s.name = s.cells[at];
+    require_file_name(table, row.line, s.name);
+    if (const auto [first, is_new] = lines.emplace(s.name, row.line); !is_new)
+      throw InputError(table.source(), row.line,
+                       "subject " + excerpt(s.name) + " found, as in line " + std::to_string(first->second) +
+                           "; expected each once");
+    list.subjects.push_back(std::move(s));
+    if (list.subjects.size() > CohortList::max_subjects)
+      throw InputError(
+          table.source(), row.line,
+          "more than " + std::to_string(CohortList::max_subjects) + " subjects found; divide the list");
+  }
+  if (list.subjects.empty())
+    throw InputError(table.source(), 0, "no subject found; expected one a row below the header");
+  return list;
+}
+
+}  // namespace trunk

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include "breaths/selection.hpp"
+
+namespace trunk {
+
+/// --exclude, --include and --calibrate-tidal-volume.
+void add_breath_options(CLI::App& command, BreathSelection& selection);
+
+}  // namespace trunk

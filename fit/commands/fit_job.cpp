@@ -1,0 +1,152 @@
+#include "commands/fit_job.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <chrono>
+#include <cmath>
+
+#include "errors/input_error.hpp"
+#include "recording/fit_record.hpp"
+#include "recording/provenance.hpp"
+#include "results/fit_file.hpp"
+#include "results/target_file.hpp"
+#include "subject/record.hpp"
+
+namespace trunk {
+namespace {
+
+MeasuredBreath chosen_breath(const Segmentation& s, const std::string& which,
+                             std::vector<std::string>& notes) {
+  if (which == "mean" || which == "each") return mean_breath(s);
+  std::size_t number = 0;
+  const char* end = which.data() + which.size();
+  if (std::from_chars(which.data(), end, number).ptr != end || number == 0)
+    throw InputError("--breath " + which + ": expected mean, each or the number of a breath, from 1");
+  const MeasuredBreath breath = single_breath(s, number);
+  if (!s.breaths[number - 1].kept)
+    notes.push_back(
+        fmt::format("breath {} would be left out of the mean: {}", number, s.breaths[number - 1].reason));
+  return breath;
+}
+
+/// Six digits are more than any trace determines, and stay readable in a scenario file.
+Scenario with_rounded(Scenario scenario, const SearchSpace& space) {
+  Candidate c{scenario.parameters, scenario.activation};
+  for (std::size_t i = 0; i < space.size(); ++i) {
+    double& value = space.parameter(i).field(c);
+    value = std::stod(fmt::format("{:.6g}", value));
+  }
+  scenario.parameters = c.parameters;
+  scenario.activation = c.activation;
+  return scenario;
+}
+
+/// The fitted scenario in full: it needs no other file.
+void save_scenario(const FitRequest& request, const Scenario& scenario) {
+  const std::string text = fmt::format("# {} with the parameters of {}, written by trunk fit\n{}",
+                                       request.scenario, request.output, to_toml(scenario));
+  replace_file(request.save_scenario, std::as_bytes(std::span(text)));
+}
+
+}  // namespace
+
+FitJob::FitJob(const FitRequest& request, Execution execution, FitListener listener)
+    : request_(request), listener_(std::move(listener)) {
+  if (request_.scenario.empty()) throw InputError("no scenario named, expected one: trunk fit SCENARIO …");
+  ScenarioFile file = read_scenario(request_.scenario, request_.settings);
+  FitPlan plan = plan_of(request_);
+  plan.estimation.execution = std::move(execution);
+  const Measurement measurement = measured();
+  if (measurement.breath) file.inputs.emplace_back(request_.trace);
+  fit_ = std::make_unique<SubjectFit>(std::move(file), measurement, plan);
+  if (each_ && !fit_->space().find("k_muscle"))
+    throw InputError("--breath each: k_muscle is what it fits, expected it among the free parameters");
+  read_others();
+}
+
+Measurement FitJob::measured() {
+  if (request_.trace.empty() == (request_.tidal_volume_ml == 0.0))
+    throw InputError("expected a measurement: --trace FILE or --tidal-volume-ml ML, one of the two");
+  if (request_.trace.empty()) {
+    if (!(request_.tidal_volume_ml >= 10.0 && request_.tidal_volume_ml <= 10000.0))
+      throw InputError(
+          fmt::format("--tidal-volume-ml {:g}: expected 10 to 10000 ml", request_.tidal_volume_ml));
+    if (request_.breath == "each") throw InputError("--breath each: expected a trace with breaths");
+    return {std::nullopt, 1e-6 * request_.tidal_volume_ml};
+  }
+  Segmentation s = segment_breaths(read_signal(request_.trace, request_.signal), request_.selection);
+  notes_ = s.notes;
+  Measurement measurement{chosen_breath(s, request_.breath, notes_), 0.0};
+  if (request_.breath == "each") each_ = std::move(s);
+  return measurement;
+}
+
+void FitJob::read_others() {
+  for (const std::string& path : request_.predict) {
+    for (const OtherScenario& o : others_)
+      if (short_name(o.file.path) == short_name(path))
+        throw InputError(path, 0, "is predicted beside one of the same name, expected names that differ");
+    others_.push_back(other_scenario(*fit_, path, request_.settings));
+    if (!same_geometry(*fit_, others_.back()))
+      notes_.push_back(path + ": its trunk has another shape than the subject's, which is in the prediction");
+  }
+}
+
+std::vector<std::filesystem::path> FitJob::inputs() const {
+  std::vector<std::filesystem::path> all = fit_->file().inputs;
+  for (const OtherScenario& o : others_) all.insert(all.end(), o.file.inputs.begin(), o.file.inputs.end());
+  return all;
+}
+
+FitOutcome FitJob::carry_out() {
+  const auto start = std::chrono::steady_clock::now();
+  ledger_ = std::make_unique<Ledger>(ledger_file(), fit_->problem_text());
+  FitOutcome outcome;
+  outcome.replayed = ledger_->found();
+  if (outcome.replayed > 0)
+    listener_.note(fmt::format("goes on from {} simulations of an interrupted run", outcome.replayed));
+  Estimation& e = outcome.estimation;
+  try {
+    e = fit_->carry_out(*ledger_);
+  } catch (const InputError&) {
+    if (outcome.replayed == 0) ledger_->discard();  // an option that makes no sense leaves nothing behind
+    throw;
+  }
+  if (e.model.size() == 0) {
+    ledger_->discard();
+    throw std::runtime_error("no simulation completed (" + e.search.stop_reason + "): nothing written");
+  }
+  for (const std::string& note : e.notes) listener_.note(note);
+  if (each_)
+    outcome.breaths = refit_each_breath(*fit_, e, *each_, [&](std::size_t done) {
+      listener_.progress(fmt::format("fitting: {} breaths", done));
+    });
+  outcome.predictions = predict(*fit_, e, others_, request_.draws);
+  outcome.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return outcome;
+}
+
+void FitJob::store(const FitOutcome& outcome, const std::string& argv) {
+  const Estimation& e = outcome.estimation;
+  const ScenarioFile best = fit_->fitted(e);
+  const int stride =
+      std::max(1, static_cast<int>(std::lround(best.scenario.frame_every_s / best.scenario.time.dt_s)));
+  const BreathRun run = run_breath(fit_->trunk(), best.scenario, stride);
+  const auto& breath = fit_->measurement().breath;
+  FitRecord record = fit_record(fit_->file(), fit_->trunk(), fit_->space(), fit_->target(),
+                                breath ? breath->sigma_m3 : std::vector<double>(), e, status_of(e), run,
+                                provenance_of(inputs(), argv));
+  add_breaths(outcome.breaths, record);
+  add_predictions(outcome.predictions, record);
+  write_fit(request_.output, record);
+  if (!request_.save_scenario.empty()) save_scenario(request_, with_rounded(best.scenario, fit_->space()));
+  ledger_->discard();
+}
+
+Exit exit_of(const Estimation& e) {
+  if (!e.search.converged) return Exit::not_converged;
+  return status_of(e) == "converged" ? Exit::done : Exit::not_identifiable;
+}
+
+}  // namespace trunk

@@ -1,0 +1,62 @@
+#include "problem/target.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace trunk {
+namespace {
+
+constexpr double trusted_to = 0.01, independent_samples = 20.0;
+constexpr double huber_corner = 1.345, student_freedom = 4.0;
+
+double charge(double z, Loss loss) {
+  if (loss == Loss::huber)
+    return std::abs(z) <= huber_corner ? z * z : huber_corner * (2.0 * std::abs(z) - huber_corner);
+  return (student_freedom + 1.0) * std::log1p(z * z / student_freedom);
+}
+
+}  // namespace
+
+double Target::tidal_volume() const {
+  return *std::max_element(delta_v.begin(), delta_v.end());
+}
+
+Eigen::VectorXd sample_deviation(const Target& target) {
+  const auto n = static_cast<Eigen::Index>(target.delta_v.size());
+  if (!target.sigma_m3.empty()) return Eigen::VectorXd::Map(target.sigma_m3.data(), n);
+  const double shared_by = std::max(1.0, static_cast<double>(n) / independent_samples);
+  return Eigen::VectorXd::Constant(n, trusted_to * std::abs(target.tidal_volume()) * std::sqrt(shared_by));
+}
+
+Eigen::VectorXd charged(const Eigen::VectorXd& residuals, Loss loss, double scale) {
+  if (loss == Loss::squares) return residuals;
+  return residuals.unaryExpr(
+      [&](double r) { return std::copysign(scale * std::sqrt(charge(r / scale, loss)), r); });
+}
+
+double median_deviation(const Eigen::VectorXd& residuals) {
+  std::vector<double> size(residuals.data(), residuals.data() + residuals.size());
+  for (double& r : size) r = std::abs(r);
+  const auto middle = size.begin() + static_cast<std::ptrdiff_t>(size.size() / 2);
+  std::nth_element(size.begin(), middle, size.end());
+  return 1.4826 * *middle;
+}
+
+Eigen::VectorXd sampled(const std::vector<double>& curve, double dt_s, const std::vector<double>& time_s) {
+  Eigen::VectorXd values(static_cast<Eigen::Index>(time_s.size()));
+  for (std::size_t i = 0; i < time_s.size(); ++i) {
+    const double at = std::clamp(time_s[i] / dt_s, 0.0, static_cast<double>(curve.size() - 1));
+    const auto before = std::min(static_cast<std::size_t>(at), curve.size() - 2);
+    const double part = at - static_cast<double>(before);
+    values[static_cast<Eigen::Index>(i)] = curve[before] + part * (curve[before + 1] - curve[before]);
+  }
+  return values;
+}
+
+Eigen::VectorXd as_target_sees(const Target& target, const std::vector<double>& curve, double dt_s) {
+  if (target.is_tidal_volume())
+    return Eigen::VectorXd::Constant(1, *std::max_element(curve.begin(), curve.end()));
+  return sampled(curve, dt_s, target.time_s);
+}
+
+}  // namespace trunk

@@ -1,0 +1,65 @@
+#include "subject/record.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace trunk {
+namespace {
+
+void add(const Predicted& p, const std::string& name, const std::string& unit, double scale,
+         std::vector<NamedValue>& numbers) {
+  numbers.push_back({name, unit, scale * p.value});
+  numbers.push_back({name + "_median", unit, scale * p.median});
+  numbers.push_back({name + "_lower95", unit, scale * p.lower95});
+  numbers.push_back({name + "_upper95", unit, scale * p.upper95});
+}
+
+}  // namespace
+
+std::string short_name(const std::string& scenario) {
+  return std::filesystem::path(scenario).stem().string();
+}
+
+double median_latency_s(const std::vector<BreathRefit>& breaths) {
+  std::vector<double> all;
+  for (const BreathRefit& b : breaths) all.push_back(b.latency_s);
+  if (all.empty()) return std::nan("");
+  const auto middle = all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2);
+  std::nth_element(all.begin(), middle, all.end());
+  return *middle;
+}
+
+void add_breaths(const std::vector<BreathRefit>& breaths, FitRecord& record) {
+  if (breaths.empty()) return;
+  const auto column = [&](const char* name, const char* unit, auto value) {
+    NamedColumn c{name, unit, {}};
+    for (const BreathRefit& b : breaths) c.values.push_back(value(b));
+    record.breaths.push_back(std::move(c));
+  };
+  using B = BreathRefit;
+  column("number", "1", [](const B& b) { return static_cast<double>(b.number); });
+  column("onset_s", "s", [](const B& b) { return b.onset_s; });
+  column("tidal_volume_ml", "ml", [](const B& b) { return 1e6 * b.tidal_volume_m3; });
+  column("k_muscle", "N/m", [](const B& b) { return b.muscle.value; });
+  column("k_muscle_stderr", "N/m", [](const B& b) { return b.muscle.stderr_; });
+  column("k_muscle_lower95", "N/m", [](const B& b) { return b.muscle.lower95; });
+  column("k_muscle_upper95", "N/m", [](const B& b) { return b.muscle.upper95; });
+  column("nrmse_percent", "percent", [](const B& b) { return 100.0 * b.nrmse; });
+  column("evaluations", "1", [](const B& b) { return static_cast<double>(b.evaluations); });
+  column("latency_ms", "ms", [](const B& b) { return 1e3 * b.latency_s; });
+  for (const B& b : breaths)
+    record.breath_status.push_back(b.error.empty() ? b.status : b.status + ": " + b.error);
+}
+
+void add_predictions(const std::vector<Prediction>& predictions, FitRecord& record) {
+  for (const Prediction& p : predictions) {
+    FitRecord::Prediction r{short_name(p.scenario), p.scenario, {}, p.delta_v_m3.draws, p.own_m3.draws};
+    add(p.delta_v_m3, "delta_v_ml", "ml", 1e6, r.numbers);
+    add(p.own_m3, "own_delta_v_ml", "ml", 1e6, r.numbers);
+    add(p.ratio, "ratio_percent", "percent", 100.0, r.numbers);
+    r.numbers.push_back({"failed", "1", static_cast<double>(p.failed)});
+    record.predictions.push_back(std::move(r));
+  }
+}
+
+}  // namespace trunk

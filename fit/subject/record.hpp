@@ -1,0 +1,18 @@
+#pragma once
+
+#include "results/records.hpp"
+#include "subject/each_breath.hpp"
+#include "subject/predict.hpp"
+
+namespace trunk {
+
+/// A scenario's file without folder and ending: what a prediction is called.
+std::string short_name(const std::string& scenario);
+
+/// The middle one; NaN of none.
+double median_latency_s(const std::vector<BreathRefit>& breaths);
+
+void add_breaths(const std::vector<BreathRefit>& breaths, FitRecord& record);
+void add_predictions(const std::vector<Prediction>& predictions, FitRecord& record);
+
+}  // namespace trunk

@@ -1,0 +1,74 @@
+#include "ledger/ledger.hpp"
+
+#include <catch2/catch.hpp>
+#include <fstream>
+
+#include "errors/input_error.hpp"
+#include "problem/objective.hpp"
+#include "support/temporary_folder.hpp"
+#include "support/trunks.hpp"
+
+using namespace trunk;
+using Catch::Matchers::Contains;
+
+TEST_CASE("entries survive their ledger, bit for bit", "[unit]") {
+  const test::TemporaryFolder folder;
+  const auto path = folder / "f.ledger";
+  const std::string key("\0a\xff", 3);
+  {
+    Ledger ledger(path, "problem");
+    CHECK(ledger.found() == 0);
+    ledger.add(key, {1, 4.5, 0.02, {0.1, -1e-300, 3.0}});
+    ledger.add("failed", {2, 0.3, 0.01, {}});
+  }
+  Ledger ledger(path, "problem");
+  CHECK(ledger.found() == 2);
+  REQUIRE(ledger.find(key));
+  CHECK(ledger.find(key)->values == std::vector<double>{0.1, -1e-300, 3.0});
+  CHECK(ledger.find(key)->lasted_s == 4.5);
+  CHECK(ledger.find("failed")->values.empty());
+  CHECK_FALSE(ledger.find("other"));
+  CHECK_THROWS_WITH(Ledger(path, "problem"), Contains("in use"));
+  ledger.discard();
+  CHECK_FALSE(std::filesystem::exists(path));
+}
+
+TEST_CASE("another problem begins anew, another file is refused", "[unit]") {
+  const test::TemporaryFolder folder;
+  const auto path = folder / "f.ledger";
+  Ledger(path, "problem").add("key", {1, 1.0, 0.0, {1.0}});
+  CHECK(Ledger(path, "other").found() == 0);
+  CHECK(Ledger(path, "problem").found() == 0);
+  const auto text = folder / "text.ledger";
+  std::ofstream(text)
+      << "years of work, and long enough to be no empty file at all, so that it is not taken over\n";
+  CHECK_THROWS_AS(Ledger(text, "problem"), InputError);
+  CHECK_THROWS_WITH(Ledger(text, "problem"), Contains("is not a ledger"));
+}
+
+TEST_CASE("what a ledger says is looked at before it is believed", "[unit]") {
+  Scenario s = test::shipped("healthy");
+  s.time = {4e-3, 0.2};
+  const Trunk trunk = make_trunk(s);
+  const Target target{{0.0, 0.1, 0.2}, {0.0, 1e-5, 2e-5}, {}};
+  const SearchSpace space({"k_muscle"}, {s.parameters, s.activation});
+  Ledger good;
+  Objective first(trunk, s.time, space, target, good);
+  const auto model = first.model(space.start());
+  REQUIRE(model);
+  CHECK(first.simulated() == 1);
+  const std::string key = ledger_key(space.decode(space.start()));
+  for (const LedgerEntry& bad :
+       {LedgerEntry{1, 0.2, 0.0, {1.0}}, LedgerEntry{1, 0.2, 0.0, {0.0, 1.0, std::nan("")}},
+        LedgerEntry{7, 0.2, 0.0, {}}, LedgerEntry{2, 0.1, 0.0, {0.0, 0.0, 0.0}}}) {
+    Ledger ledger;
+    ledger.add(key, bad);
+    Objective objective(trunk, s.time, space, target, ledger);
+    CHECK(*objective.model(space.start()) == *model);
+    CHECK(objective.simulated() == 1);
+  }
+  Objective again(trunk, s.time, space, target, good);
+  CHECK(*again.model(space.start()) == *model);
+  CHECK(again.simulated() == 0);
+  CHECK(again.evaluations().size() == 1);  // it was asked for, though not simulated
+}
