@@ -39,7 +39,7 @@ Objective::Objective(const Trunk& trunk, const TimeGrid& grid, const SearchSpace
 
 LeastSquares Objective::problem() {
   return {[this](const std::vector<Eigen::VectorXd>& some) { return outcomes(some); }, space_.lower(),
-          space_.upper()};
+          space_.upper(), [this](const Eigen::VectorXd& x) { return slopes(x); }};
 }
 
 void Objective::charge(Loss loss, double scale) {
@@ -61,15 +61,29 @@ std::vector<LedgerEntry> Objective::simulate(const std::vector<Candidate>& candi
   return entries;
 }
 
+/// The model at the target's samples along each coordinate, one after the other.
+LedgerEntry Objective::simulate_slopes(const Eigen::VectorXd& x, const Candidate& candidate) const {
+  const auto start = std::chrono::steady_clock::now();
+  const auto [curve, along] = simulate_volume_derivatives(trunk_, candidate, space_.directions(x), grid_);
+  LedgerEntry entry{static_cast<std::int32_t>(curve.summary.status), curve.summary.time_s, 0.0, {}};
+  if (curve.summary.completed())
+    for (const std::vector<double>& derivative : along) {
+      const Eigen::VectorXd seen = as_target_sees(target_, curve.delta_v, derivative, grid_.dt_s);
+      entry.values.insert(entry.values.end(), seen.data(), seen.data() + seen.size());
+    }
+  entry.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return entry;
+}
+
 /// The ledger is a file like any other: what it holds is looked at before it is believed.
-bool Objective::usable(const LedgerEntry* entry) const {
+bool Objective::usable(const LedgerEntry* entry, std::size_t count) const {
   if (entry == nullptr) return false;
   const auto completed = static_cast<std::int32_t>(Summary::Status::completed);
   if (entry->status != completed)
     return entry->values.empty() && entry->status > completed &&
            entry->status <= static_cast<std::int32_t>(Summary::Status::volume_lost) &&
            finite(entry->lasted_s);
-  return entry->values.size() == static_cast<std::size_t>(samples()) &&
+  return entry->values.size() == count &&
          std::all_of(entry->values.begin(), entry->values.end(), [](double v) { return finite(v); });
 }
 
@@ -77,7 +91,7 @@ void Objective::simulate_missing(const std::vector<Candidate>& candidates,
                                  const std::vector<std::string>& keys) {
   std::vector<std::size_t> missing;
   for (std::size_t i = 0; i < candidates.size(); ++i)
-    if (!usable(ledger_.find(keys[i])) &&
+    if (!usable(ledger_.find(keys[i]), static_cast<std::size_t>(samples())) &&
         std::find(keys.begin(), keys.begin() + static_cast<std::ptrdiff_t>(i), keys[i]) ==
             keys.begin() + static_cast<std::ptrdiff_t>(i))
       missing.push_back(i);
@@ -143,6 +157,31 @@ std::vector<Outcome> Objective::outcomes(const std::vector<Eigen::VectorXd>& som
                               static_cast<Summary::Status>(found[i]->status), found[i]->wall_s});
   }
   return result;
+}
+
+Slopes Objective::slopes(const Eigen::VectorXd& x) {
+  const Outcome here = outcomes({x}).front();
+  if (!here.residuals) return std::nullopt;
+  const Candidate candidate = space_.decode(x);
+  const std::string key = ledger_key(candidate) + "slopes";
+  const Eigen::Index coordinates = x.size();
+  if (!usable(ledger_.find(key), static_cast<std::size_t>(samples() * coordinates))) {
+    ledger_.add(key, simulate_slopes(x, candidate));
+    ++simulated_;
+    if (execution_.progress) execution_.progress(simulated_);
+  }
+  const LedgerEntry& entry = *ledger_.find(key);
+  if (!usable(&entry, static_cast<std::size_t>(samples() * coordinates))) return std::nullopt;
+
+  const Eigen::VectorXd known = space_.prior_residuals(x);
+  const Eigen::VectorXd deviations = (*model(x) - measured_).cwiseQuotient(deviation_);
+  const Eigen::VectorXd weight = charge_slopes(deviations, loss_, loss_scale_).cwiseQuotient(deviation_);
+  Eigen::MatrixXd all(samples() + known.size(), coordinates);
+  all.topRows(samples()) =
+      weight.asDiagonal() * Eigen::MatrixXd::Map(entry.values.data(), samples(), coordinates);
+  for (Eigen::Index i = 0; i < coordinates; ++i)  // linear: a difference is exact
+    all.col(i).tail(known.size()) = space_.prior_residuals(x + Eigen::VectorXd::Unit(coordinates, i)) - known;
+  return all;
 }
 
 std::optional<Eigen::VectorXd> Objective::model(const Eigen::VectorXd& x) {

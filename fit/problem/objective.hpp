@@ -63,7 +63,9 @@ class Objective {
   std::vector<const LedgerEntry*> entries(const std::vector<Candidate>& candidates);
   void simulate_missing(const std::vector<Candidate>& candidates, const std::vector<std::string>& keys);
   std::vector<LedgerEntry> simulate(const std::vector<Candidate>& candidates) const;
-  bool usable(const LedgerEntry* entry) const;
+  LedgerEntry simulate_slopes(const Eigen::VectorXd& x, const Candidate& candidate) const;
+  bool usable(const LedgerEntry* entry, std::size_t numbers) const;
+  Slopes slopes(const Eigen::VectorXd& x);
   Outcome judged(const Eigen::VectorXd& x, const LedgerEntry& entry) const;
   std::vector<Outcome> outcomes(const std::vector<Eigen::VectorXd>& some);
 

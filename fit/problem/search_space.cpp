@@ -150,6 +150,19 @@ Eigen::MatrixXd SearchSpace::values_by_coordinates() const {
   return map;
 }
 
+std::vector<Candidate> SearchSpace::directions(const Eigen::VectorXd& x) const {
+  const Candidate at = decode(x);
+  const Eigen::MatrixXd map = values_by_coordinates();
+  std::vector<Candidate> all(size(), no_change());
+  for (std::size_t k = 0; k < size(); ++k) {
+    const FreeParameter& p = parameter(k);
+    const double unit = p.scale == Scale::amount ? 1.0 : value_of(p, at);
+    for (std::size_t i = 0; i < size(); ++i)
+      p.field(all[i]) = unit * map(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(i));
+  }
+  return all;
+}
+
 Eigen::VectorXd SearchSpace::prior_residuals(const Eigen::VectorXd& x) const {
   std::vector<double> rows;
   const auto elasticity = find("k_elasticity");

@@ -44,6 +44,9 @@ class SearchSpace {
   /// coordinates into one of the parameters.
   Eigen::MatrixXd values_by_coordinates() const;
 
+  /// How decode(x) changes with each coordinate: [size].
+  std::vector<Candidate> directions(const Eigen::VectorXd& x) const;
+
   /// What is known beforehand, as residuals of deviation 1: one a prior, one a bend of the activation's shape
   /// (second differences of the logarithms of neighbouring knots, deviation 0.3; our choice).
   Eigen::VectorXd prior_residuals(const Eigen::VectorXd& x) const;

@@ -15,6 +15,11 @@ double charge(double z, Loss loss) {
   return (student_freedom + 1.0) * std::log1p(z * z / student_freedom);
 }
 
+double half_charge_slope(double z, Loss loss) {
+  if (loss == Loss::huber) return std::clamp(z, -huber_corner, huber_corner);
+  return (student_freedom + 1.0) * z / (student_freedom + z * z);
+}
+
 }  // namespace
 
 double Target::tidal_volume() const {
@@ -32,6 +37,14 @@ Eigen::VectorXd charged(const Eigen::VectorXd& residuals, Loss loss, double scal
   if (loss == Loss::squares) return residuals;
   return residuals.unaryExpr(
       [&](double r) { return std::copysign(scale * std::sqrt(charge(r / scale, loss)), r); });
+}
+
+Eigen::VectorXd charge_slopes(const Eigen::VectorXd& residuals, Loss loss, double scale) {
+  if (loss == Loss::squares) return Eigen::VectorXd::Ones(residuals.size());
+  return residuals.unaryExpr([&](double r) {
+    const double z = std::max(std::abs(r / scale), 1e-6);  // even, and smooth at 0
+    return half_charge_slope(z, loss) / std::sqrt(charge(z, loss));
+  });
 }
 
 double median_deviation(const Eigen::VectorXd& residuals) {
@@ -54,9 +67,14 @@ Eigen::VectorXd sampled(const std::vector<double>& curve, double dt_s, const std
 }
 
 Eigen::VectorXd as_target_sees(const Target& target, const std::vector<double>& curve, double dt_s) {
-  if (target.is_tidal_volume())
-    return Eigen::VectorXd::Constant(1, *std::max_element(curve.begin(), curve.end()));
-  return sampled(curve, dt_s, target.time_s);
+  return as_target_sees(target, curve, curve, dt_s);
+}
+
+Eigen::VectorXd as_target_sees(const Target& target, const std::vector<double>& curve,
+                               const std::vector<double>& derivative, double dt_s) {
+  if (!target.is_tidal_volume()) return sampled(derivative, dt_s, target.time_s);
+  const auto highest = std::max_element(curve.begin(), curve.end()) - curve.begin();
+  return Eigen::VectorXd::Constant(1, derivative[static_cast<std::size_t>(highest)]);
 }
 
 }  // namespace trunk

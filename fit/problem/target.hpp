@@ -30,11 +30,19 @@ Eigen::VectorXd sample_deviation(const Target& target);
 /// of residuals that are no outliers.
 Eigen::VectorXd charged(const Eigen::VectorXd& residuals, Loss loss, double scale);
 
+/// How the charged residuals grow with the residuals.
+Eigen::VectorXd charge_slopes(const Eigen::VectorXd& residuals, Loss loss, double scale);
+
 /// A robust deviation: 1.4826 times the median of the absolute values.
 double median_deviation(const Eigen::VectorXd& residuals);
 
 /// What a simulated curve shows of what the target names: its samples, or its highest value.
 Eigen::VectorXd as_target_sees(const Target& target, const std::vector<double>& curve, double dt_s);
+
+/// The same of the curve's derivative: where the curve is highest, the derivative is that of the highest
+/// value.
+Eigen::VectorXd as_target_sees(const Target& target, const std::vector<double>& curve,
+                               const std::vector<double>& derivative, double dt_s);
 
 /// A curve sampled every dt_s from time 0, read off at the target's times, straight between its samples.
 Eigen::VectorXd sampled(const std::vector<double>& curve, double dt_s, const std::vector<double>& time_s);

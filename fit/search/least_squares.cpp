@@ -6,24 +6,31 @@ namespace trunk {
 
 LeastSquares with_fixed(const LeastSquares& problem, const Eigen::VectorXd& at,
                         const std::vector<Eigen::Index>& free) {
-  const auto outcomes = [&problem, at, free](const std::vector<Eigen::VectorXd>& some) {
+  const auto completed = [at, free](const Eigen::VectorXd& x) {
+    Eigen::VectorXd all = at;
+    all(free) = x;
+    return all;
+  };
+  LeastSquares part{{}, problem.lower(free), problem.upper(free)};
+  part.outcomes = [&problem, completed](const std::vector<Eigen::VectorXd>& some) {
     std::vector<Eigen::VectorXd> all;
-    for (const Eigen::VectorXd& x : some) {
-      all.push_back(at);
-      all.back()(free) = x;
-    }
+    for (const Eigen::VectorXd& x : some) all.push_back(completed(x));
     return problem.outcomes(all);
   };
-  return {outcomes, problem.lower(free), problem.upper(free)};
+  if (problem.exact_slopes)
+    part.exact_slopes = [&problem, completed, free](const Eigen::VectorXd& x) -> Slopes {
+      const Slopes all = problem.exact_slopes(completed(x));
+      if (!all) return std::nullopt;
+      return Eigen::MatrixXd((*all)(Eigen::all, free));
+    };
+  return part;
 }
 
 namespace {
 
 /// Differences between pairs of points that differ in one coordinate.
-std::optional<Eigen::MatrixXd> slopes(const std::vector<Eigen::VectorXd>& ahead,
-                                      const std::vector<Outcome>& outcomes_ahead,
-                                      const std::vector<Eigen::VectorXd>& behind,
-                                      const std::vector<Outcome>& outcomes_behind) {
+Slopes differences(const std::vector<Eigen::VectorXd>& ahead, const std::vector<Outcome>& outcomes_ahead,
+                   const std::vector<Eigen::VectorXd>& behind, const std::vector<Outcome>& outcomes_behind) {
   Eigen::MatrixXd result;
   for (std::size_t k = 0; k < ahead.size(); ++k) {
     const auto &a = outcomes_ahead[k].residuals, &b = outcomes_behind[k].residuals;
@@ -47,16 +54,17 @@ std::vector<Eigen::VectorXd> moved(const LeastSquares& problem, const Eigen::Vec
 
 }  // namespace
 
-std::optional<Eigen::MatrixXd> jacobian(const LeastSquares& problem, const Eigen::VectorXd& x, double step) {
+Slopes jacobian(const LeastSquares& problem, const Eigen::VectorXd& x, double step) {
   const std::vector<Eigen::VectorXd> ahead = moved(problem, x, step), behind = moved(problem, x, -step);
   std::vector<Eigen::VectorXd> all = ahead;
   all.insert(all.end(), behind.begin(), behind.end());
   const std::vector<Outcome> outcomes = problem.outcomes(all);
   const auto middle = outcomes.begin() + static_cast<std::ptrdiff_t>(ahead.size());
-  return slopes(ahead, {outcomes.begin(), middle}, behind, {middle, outcomes.end()});
+  return differences(ahead, {outcomes.begin(), middle}, behind, {middle, outcomes.end()});
 }
 
-std::optional<Eigen::MatrixXd> forward_jacobian(const LeastSquares& problem, const Eigen::VectorXd& x) {
+Slopes slopes_at(const LeastSquares& problem, const Eigen::VectorXd& x) {
+  if (problem.exact_slopes) return problem.exact_slopes(x);
   const double step = 1e-6;
   std::vector<Eigen::VectorXd> ahead = moved(problem, x, step);
   for (Eigen::Index i = 0; i < x.size(); ++i)
@@ -65,8 +73,8 @@ std::optional<Eigen::MatrixXd> forward_jacobian(const LeastSquares& problem, con
   all.push_back(x);
   const std::vector<Outcome> outcomes = problem.outcomes(all);
   const std::vector<Eigen::VectorXd> behind(ahead.size(), x);
-  return slopes(ahead, {outcomes.begin(), outcomes.end() - 1}, behind,
-                std::vector<Outcome>(ahead.size(), outcomes.back()));
+  return differences(ahead, {outcomes.begin(), outcomes.end() - 1}, behind,
+                     std::vector<Outcome>(ahead.size(), outcomes.back()));
 }
 
 }  // namespace trunk

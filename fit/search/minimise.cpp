@@ -62,8 +62,8 @@ struct Call {
 
   void write_gradient(const Eigen::VectorXd& x, const Outcome& outcome, double* gradient) {
     auto out = Eigen::VectorXd::Map(gradient, x.size());
-    const auto j = outcome.residuals ? forward_jacobian(problem, x) : std::nullopt;
-    evaluations += static_cast<int>(x.size());
+    const Slopes j = outcome.residuals ? slopes_at(problem, x) : std::nullopt;
+    evaluations += problem.exact_slopes ? 1 : static_cast<int>(x.size());
     if (!j) throw std::runtime_error("the model fails beside a point a gradient is needed at: try bobyqa");
     out = 2.0 * j->transpose() * *outcome.residuals;
   }

@@ -1,122 +1,232 @@
-// How long things take: medians over interleaved repeats, so that a slow minute of the machine meets all
-// alike. Run from the root of the project: build/trunk_bench [repeats [part of a name]]
+// What the benchmark script asks to be timed. Reads lines from its input, each the name of a case, and answers each
+// with a line of JSON: `ms`, the time of the work itself, and what else there is to say. Run from the root of the
+// project; `build/trunk_bench CASE...` times these once.
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <chrono>
-#include <cstdlib>
 #include <functional>
+#include <iostream>
+#include <map>
+#include <numeric>
+#include <sstream>
 #include <string>
 #include <vector>
 
 #include "anatomy/breath_run.hpp"
 #include "dynamics/auto_time_step.hpp"
+#include "dynamics/kernel.hpp"
+#include "dynamics/stability.hpp"
+#include "dynamics/volume_curve.hpp"
+#include "estimation/estimate.hpp"
 #include "io/scenario_file.hpp"
+#include "parallel/workers.hpp"
 
 namespace {
 
-struct Entry {
-  std::string name;
-  std::function<int()> run;  // returns the number of steps
-  std::vector<double> ms;
-  int steps = 0;
+using namespace trunk;
+using Trials = std::vector<Trial<double>>;
+
+/// The work to be timed, and what to add to the answer (text of JSON members) once it is done.
+struct Case {
+  std::function<void()> work;
+  std::function<std::string()> remark = [] { return std::string(); };
 };
 
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
+struct Subject {
+  Scenario scenario;
+  Trunk trunk;
+};
+
+Subject subject(const std::string& name, int resolution = 1) {
+  auto file = read_scenario("scenarios/" + name + ".toml");
+  file.scenario.geometry.resolution = resolution;
+  return {file.scenario, build_trunk(file)};
 }
 
-double timed_ms(Entry& entry) {
-  const auto start = std::chrono::steady_clock::now();
-  entry.steps = entry.run();
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+Trials different(const Scenario& s, std::size_t count) {
+  Trials trials(count, {s.parameters, s.activation});
+  for (std::size_t i = 0; i < count; ++i)
+    trials[i].parameters.muscle *= 1.0 + 0.1 * static_cast<double>(i) / static_cast<double>(count);
+  return trials;
 }
 
-/// One breath of the scenario, as a fit simulates it: the time loop and the lung volume at every step.
-Entry breath(const std::string& scenario) {
-  const auto file = trunk::read_scenario("scenarios/" + scenario + ".toml");
-  const auto model = trunk::build_trunk(file);
-  return {scenario,
-          [=] {
-            return trunk::simulate_volume(model, file.scenario.parameters, file.scenario.activation,
-                                          file.scenario.time)
-                .summary.steps;
+TimeStepChoice chosen_step(const Subject& s) {
+  return auto_time_step(s.trunk.model, s.scenario.parameters, s.scenario.activation,
+                        s.scenario.time.duration_s);
+}
+
+VolumeCurve breath_on(const Subject& s, const TimeGrid& grid) {
+  return simulate_volume(s.trunk, s.scenario.parameters, s.scenario.activation, grid);
+}
+
+/// One breath as a fit simulates it: the time loop, and the lung volume at every step.
+Case breath(const Subject& s, const TimeGrid& grid) {
+  return {[=] { breath_on(s, grid); },
+          [=] { return fmt::format(R"(, "steps": {}, "dt_ms": {})", grid.steps(), 1e3 * grid.dt_s); }};
+}
+
+/// How far the enclosed volume is from what is asked for, over a whole breath; and the curve at the chosen step
+/// from the one at a quarter of a millisecond, in percent of the tidal volume.
+Case accuracy(const Subject& s) {
+  return {[] {}, [=] {
+            const BreathRun run = run_breath(s.trunk, s.scenario, 0);
+            const TimeGrid fine{0.25e-3, s.scenario.time.duration_s}, chosen = chosen_step(s).grid;
+            const VolumeCurve exact = breath_on(s, fine), curve = breath_on(s, chosen);
+            double apart = 0.0, highest = 0.0;
+            for (std::size_t i = 0; i < curve.delta_v.size(); ++i) {
+              const auto same_time = static_cast<std::size_t>(
+                  std::lround(static_cast<double>(i) * chosen.dt_s / fine.dt_s));
+              if (same_time >= exact.delta_v.size()) break;
+              apart = std::max(apart, std::abs(curve.delta_v[i] - exact.delta_v[same_time]));
+              highest = std::max(highest, exact.delta_v[same_time]);
+            }
+            return fmt::format(R"(, "volume_error": {:.3g}, "auto_delta_v_error_percent": {:.3g})",
+                               run.max_relative_volume_error, 100.0 * apart / highest);
+          }};
+}
+
+/// Different breaths on all cores, in lanes.
+Case batch(const Subject& s, const TimeGrid& grid) {
+  const std::size_t lanes = batch_lanes(), parts = 2 * std::max(1u, std::thread::hardware_concurrency());
+  const Trials trials = different(s.scenario, lanes * parts);
+  return {[=] {
+            std::vector<std::size_t> items(parts);
+            std::iota(items.begin(), items.end(), std::size_t{0});
+            work_off<std::size_t>(
+                items, 0, {},
+                [&](std::size_t i) {
+                  return simulate_volumes(s.trunk, std::span(trials).subspan(i * lanes, lanes), grid).size();
+                },
+                [](std::size_t) {});
           },
-          {}};
+          [=] { return fmt::format(R"(, "breaths": {})", trials.size()); }};
 }
 
-/// The same breath as each instruction set does it: alone, all lanes full, with all derivatives at once.
-std::vector<Entry> breaths_by_kernel(const std::string& scenario) {
-  const auto file = trunk::read_scenario("scenarios/" + scenario + ".toml");
-  const auto model = trunk::build_trunk(file).model;
-  const trunk::TimeGrid grid = file.scenario.time;
-  std::vector<Entry> entries;
-  for (const trunk::Kernel* kernel : trunk::kernels()) {
-    std::vector<trunk::Trial<double>> trials;
-    for (int i = 0; i < kernel->lanes; ++i) {
-      trials.push_back({file.scenario.parameters, file.scenario.activation});
-      trials.back().parameters.muscle *= 1.0 + 0.05 * i;
-    }
-    const auto curves = [=](const auto run, std::size_t count) {
-      return [=] {
-        std::vector<trunk::VolumeCurve> found(count);
-        run(model, std::span(trials).first(count), grid, found);
-        return found.front().summary.steps;
-      };
-    };
-    const auto derivatives = [=] {
-      std::vector<trunk::Trial<double>> directions(static_cast<std::size_t>(kernel->tangents),
-                                                   trunk::no_change());
-      for (std::size_t i = 0; i < directions.size(); ++i) *trunk::numbers(directions[i])[i] = 1.0;
-      trunk::VolumeCurve curve;
-      std::vector<std::vector<double>> found(directions.size());
-      kernel->volume_derivatives(model, trials[0], directions, grid, curve, found);
-      return curve.summary.steps;
-    };
-    const auto named = [&](const std::string& what) {
-      return fmt::format("{}, {}", kernel->instruction_set, what);
-    };
-    entries.push_back({named("one"), curves(kernel->volume_curve, 1), {}});
-    entries.push_back(
-        {named(fmt::format("{} lanes", kernel->lanes)), curves(kernel->volume_curves, trials.size()), {}});
-    entries.push_back({named(fmt::format("{} derivatives", kernel->tangents)), derivatives, {}});
+/// k_elasticity and k_muscle of a breath made by the simulator itself, from a start off by 40 and 30 %.
+Case fit(const Subject& s, const TimeGrid& grid) {
+  Target target;
+  const VolumeCurve truth = breath_on(s, {0.5e-3, grid.duration_s});
+  for (int i = 0; i <= 150; ++i) target.time_s.push_back(grid.duration_s * i / 150);
+  const Eigen::VectorXd seen = sampled(truth.delta_v, 0.5e-3, target.time_s);
+  target.delta_v.assign(seen.data(), seen.data() + seen.size());
+  Candidate start{s.scenario.parameters, s.scenario.activation};
+  start.parameters.elasticity *= 1.4;
+  start.parameters.muscle *= 0.7;
+  EstimationOptions options;
+  options.search.algorithm = "lm";
+  options.search.coordinate_tolerance = 1e-6;
+  options.cross_check = options.profiles = false;
+  options.surface_points = 0;
+  const auto result = std::make_shared<Estimation>();
+  return {[=] {
+            Ledger ledger;
+            const SearchSpace space({"k_elasticity", "k_muscle"}, start);
+            *result = estimate(s.trunk, grid, space, target, options, ledger);
+          },
+          [=] {
+            return fmt::format(
+                R"(, "evaluations": {}, "simulations": {}, "converged": {}, "relative_error": {:.3g})",
+                result->search.evaluations, result->simulated, result->search.converged,
+                std::abs(result->best.parameters.elasticity / s.scenario.parameters.elasticity - 1.0));
+          }};
+}
+
+/// 200 steps at rest and a little later, of a mesh that fine; the time step goes down with its particles' mass.
+Case steps_of_mesh(int resolution) {
+  const Subject s = subject("healthy", resolution);
+  const double stable_s = stable_time_step(s.trunk.model, s.scenario.parameters);
+  const double dt_s = std::min(1e-3, 0.5 * stable_s);
+  const TimeGrid grid{dt_s, 200 * dt_s};
+  return {[=] { breath_on(s, grid); }, [=] {
+            return fmt::format(R"(, "steps": {}, "particles": {})", grid.steps(), s.trunk.model.particles());
+          }};
+}
+
+const Kernel& kernel_named(const std::string& name) {
+  for (const Kernel* k : kernels())
+    if (name == k->instruction_set) return *k;
+  throw InputError("this machine has no kernel '" + name + "'");
+}
+
+Case one_in(const Kernel& kernel, const Subject& s) {
+  return {[=, &kernel] {
+    const Trials trials = different(s.scenario, 1);
+    VolumeCurve curve;
+    kernel.volume_curve(s.trunk.model, trials, s.scenario.time, {&curve, 1});
+  }};
+}
+
+Case lanes_in(const Kernel& kernel, const Subject& s) {
+  const Trials trials = different(s.scenario, static_cast<std::size_t>(kernel.lanes));
+  return {[=, &kernel] {
+            std::vector<VolumeCurve> curves(trials.size());
+            kernel.volume_curves(s.trunk.model, trials, s.scenario.time, curves);
+          },
+          [=] { return fmt::format(R"(, "breaths": {})", trials.size()); }};
+}
+
+Case derivatives_in(const Kernel& kernel, const Subject& s) {
+  Trials directions(static_cast<std::size_t>(kernel.tangents), no_change());
+  for (std::size_t i = 0; i < directions.size(); ++i) *numbers(directions[i])[i] = 1.0;
+  return {[=, &kernel] {
+            VolumeCurve curve;
+            std::vector<std::vector<double>> along(directions.size());
+            kernel.volume_derivatives(s.trunk.model, {s.scenario.parameters, s.scenario.activation},
+                                      directions, s.scenario.time, curve, along);
+          },
+          [=] { return fmt::format(R"(, "directions": {})", directions.size()); }};
+}
+
+/// A case by its name: a word and, for some, what it is about.
+Case made(const std::string& name) {
+  std::istringstream words(name);
+  std::string what, which;
+  words >> what;
+  std::getline(words >> std::ws, which);
+  const auto about = [&] { return subject(which.empty() ? "healthy" : which); };
+  if (what == "breath") return breath(about(), about().scenario.time);
+  if (what == "auto_breath") return breath(about(), chosen_step(about()).grid);
+  if (what == "accuracy") return accuracy(about());
+  if (what == "batch") return batch(about(), about().scenario.time);
+  if (what == "auto_batch") return batch(about(), chosen_step(about()).grid);
+  if (what == "fit") return fit(about(), about().scenario.time);
+  if (what == "auto_fit") return fit(about(), chosen_step(about()).grid);
+  if (what == "mesh") return steps_of_mesh(std::stoi(which));
+  if (what == "one") return one_in(kernel_named(which), subject("healthy"));
+  if (what == "lanes") return lanes_in(kernel_named(which), subject("healthy"));
+  if (what == "derivatives") return derivatives_in(kernel_named(which), subject("healthy"));
+  throw InputError("no case '" + name +
+                   "', expected breath, auto_breath, accuracy, batch, auto_batch, fit or auto_fit [SCENARIO], "
+                   "mesh RESOLUTION, or one, lanes or derivatives KERNEL");
+}
+
+std::string kernel_names() {
+  std::string names;
+  for (const Kernel* k : kernels()) names += fmt::format(R"({}"{}")", names.empty() ? "" : ", ", k->instruction_set);
+  return names;
+}
+
+void answer(const std::string& name) {
+  static std::map<std::string, Case> cases;  // made once: what is timed is the work alone
+  if (name == "kernels") {
+    std::cout << fmt::format(R"({{"kernels": [{}]}})", kernel_names()) << std::endl;
+    return;
   }
-  return entries;
-}
-
-/// The breath with the time step that is chosen for it; choosing is not part of the time.
-Entry breath_at_auto_step(const std::string& scenario) {
-  const auto file = trunk::read_scenario("scenarios/" + scenario + ".toml");
-  const auto model = trunk::build_trunk(file);
-  const auto& [parameters, activation] = std::pair(file.scenario.parameters, file.scenario.activation);
-  const auto grid =
-      trunk::auto_time_step(model.model, parameters, activation, file.scenario.time.duration_s).grid;
-  return {fmt::format("{}, dt auto", scenario),
-          [=] { return trunk::simulate_volume(model, parameters, activation, grid).summary.steps; },
-          {}};
+  if (!cases.contains(name)) cases.emplace(name, made(name));
+  const Case& found = cases.at(name);
+  const auto start = std::chrono::steady_clock::now();
+  found.work();
+  const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - start;
+  std::cout << fmt::format(R"({{"ms": {:.6g}{}}})", taken.count(), found.remark()) << std::endl;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) try {
-  const int repeats = argc > 1 ? std::atoi(argv[1]) : 21;
-  std::vector<Entry> entries;
-  for (const char* scenario : {"healthy", "hemiparalysis_right", "published_healthy"})
-    entries.push_back(breath(scenario));
-  for (const char* scenario : {"healthy", "hemiparalysis_right", "published_healthy"})
-    entries.push_back(breath_at_auto_step(scenario));
-  for (const Entry& entry : breaths_by_kernel("healthy")) entries.push_back(entry);
-  if (argc > 2)
-    std::erase_if(entries, [&](const Entry& e) { return e.name.find(argv[2]) == std::string::npos; });
-  for (int i = 0; i < repeats; ++i)
-    for (Entry& entry : entries) entry.ms.push_back(timed_ms(entry));
-  fmt::print("{:<32} {:>10} {:>10} {:>10} {:>12}\n", "one breath", "median ms", "best ms", "steps",
-             "us a step");
-  for (const Entry& e : entries)
-    fmt::print("{:<32} {:>10.2f} {:>10.2f} {:>10} {:>12.3f}\n", e.name, median(e.ms),
-               *std::min_element(e.ms.begin(), e.ms.end()), e.steps, 1e3 * median(e.ms) / e.steps);
+  for (int i = 1; i < argc; ++i) answer(argv[i]);
+  if (argc == 1)
+    for (std::string name; std::getline(std::cin, name);) answer(name);
   return 0;
 } catch (const std::exception& error) {
   fmt::print(stderr, "trunk_bench: {}\n", error.what());
