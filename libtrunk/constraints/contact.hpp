@@ -18,8 +18,9 @@ void calc_planes(const Model& model, const State<S>& state, Workspace<S>& w) noe
     const Vec3<S> point = moves ? placed(body, w.body[b].pose, support.point) : lift<S>(support.point);
     const Vec3<S> apart = w.predicted[i] - point;
     const Vec3<S> at_rest = moves ? turn_back(rotation, apart) : apart;
-    const auto bend_row = [&](int k) { return dot(lift<S>(support.curvature[k]), at_rest); };
-    const Vec3<S> bend{bend_row(0), bend_row(1), bend_row(2)};
+    const Vec3<S> bend = at_rest.x() * lift<S>(support.curvature[0]) +
+                         at_rest.y() * lift<S>(support.curvature[1]) +
+                         at_rest.z() * lift<S>(support.curvature[2]);  // symmetric
     const Vec3<S> normal = lift<S>(support.normal) + bend;
 
     auto& plane = w.plane[s];

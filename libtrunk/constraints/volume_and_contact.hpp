@@ -24,7 +24,7 @@ void calc_direction(const Model& model, Workspace<S>& w) noexcept {
   const RingTable& rings = model.abdomen.rings;
   for (std::size_t r = 0; r < rings.size(); ++r) {
     const auto i = static_cast<std::size_t>(rings.vertex[r]);
-    w.direction[i] = scaled(model.mobility[i], w.inverse_effective_mass[i] * w.gradient[r]);
+    w.direction[i] = hadamard(w.push_weight[i], w.gradient[r]);
   }
   calc_body_directions(model, w);
   for (std::size_t s = 0; s < model.supports.size(); ++s)
@@ -34,16 +34,17 @@ void calc_direction(const Model& model, Workspace<S>& w) noexcept {
 /// Volume at corrected + lambda direction. With V(x) = T(x, x, x) and T trilinear and symmetric, the
 /// gradients at x and at d give all four coefficients (Euler's theorem on homogeneous functions).
 template <Scalar S>
-VolumeCubic<S> volume_along_direction(const RingTable& rings, Workspace<S>& w) noexcept {
-  calc_volume_gradient<S>(rings, w.direction, w.direction_gradient);
+VolumeCubic<S> volume_along_direction(const RingTable& rings, const Workspace<S>& w) noexcept {
   Vec3<S> c0, c1, c2, c3;
-  for (std::size_t r = 0; r < rings.size(); ++r) {
-    const auto i = static_cast<std::size_t>(rings.vertex[r]);
-    c0 += hadamard(w.gradient[r], w.corrected[i]);
-    c1 += hadamard(w.gradient[r], w.direction[i]);
-    c2 += hadamard(w.direction_gradient[r], w.corrected[i]);
-    c3 += hadamard(w.direction_gradient[r], w.direction[i]);
-  }
+  for_each_ring(rings, [&]<std::size_t Valence>(std::size_t ring, std::size_t i,
+                                                std::span<const int, Valence> neighbours) {
+    const Vec3<S> at_x = w.gradient[ring], x = w.corrected[i], d = w.direction[i];
+    const Vec3<S> at_d = volume_gradient<S>(RingPositions<S, Valence>{neighbours, w.direction});
+    c0 += hadamard(at_x, x);
+    c1 += hadamard(at_x, d);
+    c2 += hadamard(at_d, x);
+    c3 += hadamard(at_d, d);
+  });
   const auto total = [](const Vec3<S>& a) { return a.x() + a.y() + a.z(); };
   return {S(1.0 / 3.0) * total(c0), total(c1), total(c2), S(1.0 / 3.0) * total(c3)};
 }
@@ -83,7 +84,7 @@ Projection<S> project_supports(const Model& model, State<S>& state, Workspace<S>
   w.corrected = w.predicted;
   update_touching(model, none, everywhere, w, state);
   project_onto_supports(model, state, everywhere, w);
-  record_press(model, none, w, state);
+  if (model.friction > 0.0) record_press(model, none, w, state);
   return {none, everywhere};
 }
 
@@ -140,7 +141,7 @@ Projection<S> project_volume_and_supports(const Model& model, const S& target, S
     const auto i = static_cast<std::size_t>(vertex);
     w.corrected[i] += multiplier * w.direction[i];
   }
-  detail::record_press(model, multiplier, w, state);
+  if (model.friction > 0.0) detail::record_press(model, multiplier, w, state);
   multiplier = detail::restore_rigid_bodies(model, target, slope, multiplier, w);
   return {multiplier, Mask<S>(finite(multiplier) & !searching)};
 }

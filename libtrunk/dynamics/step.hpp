@@ -30,7 +30,7 @@ template <Scalar S>
 void calc_forces(const Model& model, const Parameters<S>& parameters, const S& activation,
                  const State<S>& state, Workspace<S>& w) noexcept {
   set_gravity<S>(model, w.force);
-  add_shape_memory<S>(model.shape_memory, w.ring_stiffness, state.position, w.force);
+  add_shape_memory<S>(model.shape_memory, w.ring_stiffness, state.position, w.reactions, w.force);
   add_muscle<S>(model.fibres, activation * parameters.muscle, state.position, w.force);
   add_membrane<S>(model.membrane, state.position, w.force);
   add_focal<S>(model.focal_forces, state.time_s, w.force);
@@ -41,13 +41,10 @@ void calc_forces(const Model& model, const Parameters<S>& parameters, const S& a
 /// With centred damping: v' = ((m - dt c / 2) v + dt F) / (m + dt c / 2).
 /// (state, force) => predicted
 template <Scalar S>
-void predict(const Model& model, const State<S>& state, Workspace<S>& w) noexcept {
-  const S dt(w.dt_s);
-  for (std::size_t i = 0; i < model.particles(); ++i) {
-    const Vec3<S> momentum = w.momentum_mass[i] * state.velocity[i] + dt * w.force[i];
-    const Vec3<S> velocity = scaled(model.mobility[i], w.inverse_effective_mass[i] * momentum);
-    w.predicted[i] = state.position[i] + dt * velocity;
-  }
+void predict(const State<S>& state, Workspace<S>& w) noexcept {
+  for (std::size_t i = 0; i < state.position.size(); ++i)
+    w.predicted[i] = state.position[i] + (hadamard(w.velocity_weight[i], state.velocity[i]) +
+                                          hadamard(w.force_weight[i], w.force[i]));
 }
 
 /// Velocities are what the constraints let through. (corrected, body) => state
@@ -68,7 +65,7 @@ template <Scalar S>
 StepReport<S> step(const Model& model, const Parameters<S>& parameters, const S& activation, State<S>& state,
                    Workspace<S>& w) noexcept {
   calc_forces(model, parameters, activation, state, w);
-  predict(model, state, w);
+  predict(state, w);
   const double end_s = state.time_s + w.dt_s;
   predict_bodies(model, state, end_s, w);
   impose_displacements<S>(model, end_s, w.predicted);

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "math/lanes.hpp"
+#include "mesh/volume.hpp"
 #include "model/model.hpp"
 #include "model/workspace.hpp"
 
@@ -22,31 +23,27 @@ struct LocalFrame {
   S inverse_radius;  // 1 / distance of N_1 from the axis through G along n, 1/m
 };
 
-/// neighbours: [valence] positions in ring order, m; the valence may be a compile-time number.
+/// neighbours: [valence] positions in ring order, m; the valence may be a compile-time number. The two roots
+/// and the two divisions do not wait for each other.
 template <Scalar S, class Neighbours>
 [[gnu::always_inline]] inline LocalFrame<S> local_frame(const Neighbours& neighbours) noexcept {
   using std::sqrt;
   const std::size_t m = neighbours.size();
-  const Vec3<S> first = neighbours[0];
-  Vec3<S> last = neighbours[1] - first;  // relative to the first neighbour: fewer products, less cancellation
-  Vec3<S> sum = last, area;
-  for (std::size_t j = 2; j < m; ++j) {
-    const Vec3<S> here = neighbours[j] - first;
-    area += unturned_cross(last, here);
-    sum += here;
-    last = here;
-  }
-  area = turned(area);
+  Vec3<S> sum = neighbours[0];
+  for (std::size_t j = 1; j < m; ++j) sum += neighbours[j];
+  const Vec3<S> area = twice_area<S>(neighbours);
   LocalFrame<S> frame;
-  const Vec3<S> to_first = S(-1.0 / static_cast<double>(m)) * sum;
-  frame.centre = first - to_first;
-  frame.inverse_area = S(1.0) / sqrt(dot(area, area));
+  frame.centre = S(1.0 / static_cast<double>(m)) * sum;
+  const Vec3<S> to_first = neighbours[0] - frame.centre;
+  const Vec3<S> sideways = cross(area, to_first);
+  const S squared_area = dot(area, area);
+  const S inverse_sideways = S(1.0) / sqrt(dot(sideways, sideways));
+  frame.inverse_area = S(1.0) / sqrt(squared_area);
   frame.n = frame.inverse_area * area;
+  frame.v = inverse_sideways * sideways;
+  frame.u = cross(frame.v, frame.n);
   frame.first_height = dot(frame.n, to_first);
-  const Vec3<S> flat = to_first - frame.first_height * frame.n;
-  frame.inverse_radius = S(1.0) / sqrt(dot(flat, flat));
-  frame.u = frame.inverse_radius * flat;
-  frame.v = cross(frame.n, frame.u);
+  frame.inverse_radius = frame.inverse_area * squared_area * inverse_sideways;
   return frame;
 }
 
@@ -73,126 +70,134 @@ template <Reaction reaction, Scalar S, class Neighbours>
                                                         const Vec3<S>& rest_offset,
                                                         const S& stiffness) noexcept {
   const auto frame = local_frame<S>(neighbours);
-  const Vec3<S> offset = target_offset(frame, rest_offset);
-  const Vec3<S> f = stiffness * (frame.centre + offset - particle);
-
+  const Vec3<S> place = particle - frame.centre;
+  // In the local frame: the force, and the torque of the rest offset.
+  const S fu = stiffness * (rest_offset.x() - dot(place, frame.u)),
+          fv = stiffness * (rest_offset.y() - dot(place, frame.v)),
+          fn = stiffness * (rest_offset.z() - dot(place, frame.n));
+  const Vec3<S> f = fu * frame.u + fv * frame.v + fn * frame.n;
   const S share(1.0 / static_cast<double>(neighbours.size()));
   if constexpr (reaction == Reaction::published) return {f, share * f, {}, {}};
-  const Vec3<S> torque = cross(offset, f);
-  const S spin = dot(torque, frame.n);
-  const Vec3<S> tilt = cross(torque, frame.n) - (spin * frame.first_height * frame.inverse_radius) * frame.v;
-  const Vec3<S> tilt_per_area = frame.inverse_area * (tilt - dot(tilt, frame.n) * frame.n);
-  const Vec3<S> spin_force = (spin * frame.inverse_radius) * frame.v;
-  return {f, share * (f - spin_force), tilt_per_area, spin_force};
+  const S torque_u = rest_offset.y() * fn - rest_offset.z() * fv,
+          torque_v = rest_offset.z() * fu - rest_offset.x() * fn,
+          spin = (rest_offset.x() * fv - rest_offset.y() * fu) * frame.inverse_radius;
+  const S tilt_u = frame.inverse_area * torque_v,
+          tilt_v = frame.inverse_area * (torque_u + spin * frame.first_height);
+  const Vec3<S> spin_force = spin * frame.v;
+  return {f, share * (f - spin_force), tilt_u * frame.u - tilt_v * frame.v, spin_force};
 }
 
-/// What is to be subtracted from the force on neighbour j.
-template <Reaction reaction, Scalar S, class Neighbours>
-[[gnu::always_inline]] inline Vec3<S> reaction_on(std::size_t j, const Neighbours& neighbours,
-                                                  const RingForces<S>& ring) noexcept {
-  if constexpr (reaction == Reaction::published) return ring.share;
-  const std::size_t last = neighbours.size() - 1;
-  const Vec3<S> chord = neighbours[j < last ? j + 1 : 0] - neighbours[j > 0 ? j - 1 : last];
-  const Vec3<S> shared = ring.share + cross(chord, ring.tilt);
-  return j > 0 ? shared : shared + ring.spin;
-}
-
-/// The positions of a ring's neighbours, where they are.
-template <Scalar S, std::size_t Valence>
-struct RingPositions {
-  std::span<const int, Valence> ring;
-  std::span<const Vec3<S>> position;
-
-  constexpr std::size_t size() const noexcept { return ring.size(); }
-  const Vec3<S>& operator[](std::size_t j) const noexcept {
-    return position[static_cast<std::size_t>(ring[j])];
-  }
-};
-
-/// Adds the forces of `count` rings of one valence, from `ring` on: first on the particles, then on the first
-/// neighbours, the second ones ..., so that every scalar adds up in the same order. (position, k) => force
-template <Reaction reaction, int count, std::size_t Valence, Scalar S>
-void add_rings(const ShapeMemory& memory, const RingTable::Group& group, int ring,
+/// One ring. (position) => reactions
+template <Reaction reaction, std::size_t Valence, Scalar S>
+void calc_ring(const ShapeMemory& memory, const RingTable::Group& group, int ring,
                std::span<const S> stiffness, std::span<const Vec3<S>> position,
-               std::span<Vec3<S>> force) noexcept {
-  RingForces<S> forces[count];
-  const auto neighbours = [&](int k) {
-    return RingPositions<S, Valence>{neighbours_of<Valence>(memory.rings, group, ring + k), position};
-  };
-  for (int k = 0; k < count; ++k) {
-    const auto row = static_cast<std::size_t>(ring + k),
-               vertex = static_cast<std::size_t>(memory.rings.vertex[row]);
-    forces[k] = ring_forces<reaction, S>(neighbours(k), position[vertex], lift<S>(memory.rest_offset[row]),
-                                         stiffness[row]);
-    force[vertex] += forces[k].on_particle;
-  }
-  for (std::size_t j = 0; j < neighbours(0).size(); ++j)
-    for (int k = 0; k < count; ++k)
-      force[static_cast<std::size_t>(neighbours(k).ring[j])] -=
-          reaction_on<reaction>(j, neighbours(k), forces[k]);
+               RingReactions<S>& reactions) noexcept {
+  const auto row = static_cast<std::size_t>(ring), i = static_cast<std::size_t>(memory.rings.vertex[row]);
+  const RingPositions<S, Valence> neighbours{neighbours_of<Valence>(memory.rings, group, ring), position};
+  const auto found =
+      ring_forces<reaction, S>(neighbours, position[i], lift<S>(memory.rest_offset[row]), stiffness[row]);
+  reactions.on_particle[i] = found.on_particle;
+  reactions.share[i] = found.share;
+  reactions.tilt[i] = found.tilt;
+  reactions.spin[i] = found.spin;
 }
 
 #ifdef __AVX__
 /// The same for four rings of a single simulation, side by side in the lanes of a register.
 template <Reaction reaction, std::size_t Valence>
-void add_four_rings(const ShapeMemory& memory, const RingTable::Group& group, int ring,
-                    std::span<const double> stiffness, std::span<const Vec3d> position,
-                    std::span<Vec3d> force) noexcept {
+void calc_four_rings(const ShapeMemory& memory, const RingTable::Group& group, int ring,
+                     std::span<const double> stiffness, std::span<const Vec3d> position,
+                     RingReactions<double>& reactions) noexcept {
   using Four = Lanes<4>;
-  const RingTable& rings = memory.rings;
   const auto row = static_cast<std::size_t>(ring);
-  const int* neighbour = neighbours_of<Valence>(rings, group, ring).data();
-  const auto vertex = [&](std::size_t lane) { return static_cast<std::size_t>(rings.vertex[row + lane]); };
-  const auto in_ring = [&](std::size_t lane, std::size_t j) {
-    return static_cast<std::size_t>(neighbour[lane * Valence + j]);
+  const int* neighbour = neighbours_of<Valence>(memory.rings, group, ring).data();
+  const auto vertex = [&](std::size_t lane) {
+    return static_cast<std::size_t>(memory.rings.vertex[row + lane]);
+  };
+  const auto in_ring = [&](std::size_t lane, std::size_t j) -> const Vec3d& {
+    return position[static_cast<std::size_t>(neighbour[lane * Valence + j])];
   };
   std::array<Vec3<Four>, Valence> neighbours;
   for (std::size_t j = 0; j < Valence; ++j)
-    neighbours[j] = packed(position[in_ring(0, j)], position[in_ring(1, j)], position[in_ring(2, j)],
-                           position[in_ring(3, j)]);
+    neighbours[j] = packed(in_ring(0, j), in_ring(1, j), in_ring(2, j), in_ring(3, j));
   const auto& rest = memory.rest_offset;
-  const RingForces<Four> forces = ring_forces<reaction, Four>(
+  const RingForces<Four> found = ring_forces<reaction, Four>(
       neighbours, packed(position[vertex(0)], position[vertex(1)], position[vertex(2)], position[vertex(3)]),
       packed(rest[row], rest[row + 1], rest[row + 2], rest[row + 3]),
       Four(Four::Register{stiffness[row], stiffness[row + 1], stiffness[row + 2], stiffness[row + 3]}));
-  const Unpacked on_vertex = unpacked(forces.on_particle);
-  for (std::size_t lane = 0; lane < 4; ++lane) force[vertex(lane)] += on_vertex.lane[lane];
-  for (std::size_t j = 0; j < Valence; ++j) {
-    const Unpacked on_neighbour = unpacked(reaction_on<reaction>(j, neighbours, forces));
-    for (std::size_t lane = 0; lane < 4; ++lane) force[in_ring(lane, j)] -= on_neighbour.lane[lane];
+  const Unpacked on_particle = unpacked(found.on_particle), share = unpacked(found.share),
+                 tilt = unpacked(found.tilt), spin = unpacked(found.spin);
+  for (std::size_t lane = 0; lane < 4; ++lane) {
+    const std::size_t i = vertex(lane);
+    reactions.on_particle[i] = on_particle.lane[lane];
+    reactions.share[i] = share.lane[lane];
+    reactions.tilt[i] = tilt.lane[lane];
+    reactions.spin[i] = spin.lane[lane];
   }
 }
-
 #endif
 
-/// Adds the forces of all rings. (position, ring_stiffness) => force
+/// All rings of one valence, four at a time where that can be; the last four may do some again, to the same
+/// end. (position) => reactions
+template <Reaction reaction, std::size_t Valence, Scalar S>
+void calc_rings(const ShapeMemory& memory, const RingTable::Group& group, std::span<const S> stiffness,
+                std::span<const Vec3<S>> position, RingReactions<S>& reactions) noexcept {
+#ifdef __AVX__
+  if constexpr (std::same_as<S, double> && Valence != std::dynamic_extent)
+    if (group.last - group.first >= 4) {
+      for (int ring = group.first; ring < group.last; ring += 4)
+        calc_four_rings<reaction, Valence>(memory, group, std::min(ring, group.last - 4), stiffness, position,
+                                           reactions);
+      return;
+    }
+#endif
+  for (int ring = group.first; ring < group.last; ++ring)
+    calc_ring<reaction, Valence, S>(memory, group, ring, stiffness, position, reactions);
+}
+
+/// Adds up what the rings do to each particle. On a closed surface the rings that ask something of it are
+/// those of its own neighbours, and in the ring of neighbour j it stands between j + 1 and j - 1: the sum of
+/// (N_(j-1) - N_(j+1)) x tilt_j is how twice the area of its own ring grows with the tilts. (position,
+/// reactions) => force
+template <Reaction reaction, Scalar S>
+void add_ring_forces(const RingTable& rings, std::span<const Vec3<S>> position,
+                     const RingReactions<S>& reactions, std::span<Vec3<S>> force) noexcept {
+  for_each_ring(
+      rings, [&]<std::size_t Valence>(std::size_t, std::size_t vertex, std::span<const int, Valence> ring) {
+        const RingPositions<S, Valence> share{ring, reactions.share};
+        Vec3<S> asked = share[0];
+        for (std::size_t j = 1; j < ring.size(); ++j) asked += share[j];
+        if constexpr (reaction == Reaction::variational)
+          asked += twice_area_change<S>(RingPositions<S, Valence>{ring, position},
+                                        RingPositions<S, Valence>{ring, reactions.tilt});
+        force[vertex] += reactions.on_particle[vertex] - asked;
+      });
+  if constexpr (reaction == Reaction::variational)
+    for_each_ring(rings, [&](std::size_t, std::size_t vertex, auto ring) {
+      force[static_cast<std::size_t>(ring[0])] -= reactions.spin[vertex];
+    });
+}
+
+/// Adds the forces of all rings: first what each does, then what that comes to for the particles, so that no
+/// ring waits for another. (position, ring_stiffness) => reactions, force
 template <Reaction reaction, Scalar S>
 void add_shape_memory(const ShapeMemory& memory, std::span<const S> ring_stiffness,
-                      std::span<const Vec3<S>> position, std::span<Vec3<S>> force) noexcept {
+                      std::span<const Vec3<S>> position, RingReactions<S>& reactions,
+                      std::span<Vec3<S>> force) noexcept {
   for_each_valence(memory.rings, [&]<std::size_t Valence>(const RingTable::Group& group) {
-    int ring = group.first;
-    if constexpr (Valence != std::dynamic_extent)
-      for (; ring + 4 <= group.last; ring += 4) {
-#ifdef __AVX__
-        if constexpr (std::same_as<S, double>) {
-          add_four_rings<reaction, Valence>(memory, group, ring, ring_stiffness, position, force);
-          continue;
-        }
-#endif
-        add_rings<reaction, 4, Valence>(memory, group, ring, ring_stiffness, position, force);
-      }
-    for (; ring < group.last; ++ring)
-      add_rings<reaction, 1, Valence>(memory, group, ring, ring_stiffness, position, force);
+    calc_rings<reaction, Valence, S>(memory, group, ring_stiffness, position, reactions);
   });
+  add_ring_forces<reaction, S>(memory.rings, position, reactions, force);
 }
 
 template <Scalar S>
 void add_shape_memory(const ShapeMemory& memory, std::span<const S> ring_stiffness,
-                      std::span<const Vec3<S>> position, std::span<Vec3<S>> force) noexcept {
+                      std::span<const Vec3<S>> position, RingReactions<S>& reactions,
+                      std::span<Vec3<S>> force) noexcept {
   if (memory.reaction == Reaction::variational)
-    add_shape_memory<Reaction::variational, S>(memory, ring_stiffness, position, force);
+    add_shape_memory<Reaction::variational, S>(memory, ring_stiffness, position, reactions, force);
   else
-    add_shape_memory<Reaction::published, S>(memory, ring_stiffness, position, force);
+    add_shape_memory<Reaction::published, S>(memory, ring_stiffness, position, reactions, force);
 }
 
 /// Energy 1/2 k |P - T|^2 summed over the rings, J. The variational forces are its negative gradient.

@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "math/vec3.hpp"
 #include "mesh/surface.hpp"
 
 namespace trunk {
@@ -58,6 +59,18 @@ std::span<const int, Valence> neighbours_of(const RingTable& table, const RingTa
   return std::span<const int, Valence>(
       table.neighbour.data() + static_cast<std::size_t>(group.first_neighbour) + rank * valence, valence);
 }
+
+/// The positions of a ring's neighbours, where they are.
+template <Scalar S, std::size_t Valence>
+struct RingPositions {
+  std::span<const int, Valence> ring;
+  std::span<const Vec3<S>> position;  // [particles]
+
+  constexpr std::size_t size() const noexcept { return ring.size(); }
+  const Vec3<S>& operator[](std::size_t j) const noexcept {
+    return position[static_cast<std::size_t>(ring[j])];
+  }
+};
 
 /// Calls visit(ring, vertex, neighbours) for every ring.
 template <class Visit>

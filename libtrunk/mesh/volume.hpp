@@ -11,31 +11,59 @@ namespace trunk {
 /// positions: [particles], m.
 template <Scalar S>
 S enclosed_volume(std::span<const Triangle> triangles, std::span<const Vec3<S>> positions) noexcept {
-  S six_volumes(0.0);
+  Vec3<S> six_volumes;  // by component: added up once, at the end
   for (const auto& [i, j, k] : triangles) {
     const auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>(j),
                c = static_cast<std::size_t>(k);
-    six_volumes = six_volumes + dot(positions[a], cross(positions[b], positions[c]));
+    six_volumes += hadamard(positions[a], cross(positions[b], positions[c]));
   }
-  return S(1.0 / 6.0) * six_volumes;
+  return S(1.0 / 6.0) * (six_volumes.x() + six_volumes.y() + six_volumes.z());
 }
 
-/// Volume gradient at each ring's vertex, m2: (1/6) sum_j N_j x N_(j+1). It does not depend on the vertex
-/// itself, since the volume is linear in each vertex. (rings, positions [particles]) => gradient [rings].
+/// Sum of N_j x N_(j+1) around a closed polygon, m2: twice its area vector. Quadrilaterals fan out from the
+/// first corner, each the cross product of its diagonals: two products for six corners.
+/// corners: [3 or more] positions, m; their number may be a compile-time one.
+template <Scalar S, class Corners>
+[[gnu::always_inline]] inline Vec3<S> twice_area(const Corners& corners) noexcept {
+  const std::size_t m = corners.size();
+  const Vec3<S> first = corners[0];
+  Vec3<S> sum;
+  std::size_t k = 1;
+  for (; k + 2 < m; k += 2) sum += unturned_cross(corners[k + 1] - first, corners[k + 2] - corners[k]);
+  if (k + 1 < m) sum += unturned_cross(corners[k] - first, corners[k + 1] - first);
+  return turned(sum);
+}
+
+/// How `twice_area` changes as the corners move along `directions`: the sum of N_j x D_(j+1) + D_j x N_(j+1).
+template <Scalar S, class Corners, class Directions>
+[[gnu::always_inline]] inline Vec3<S> twice_area_change(const Corners& corners,
+                                                        const Directions& directions) noexcept {
+  const std::size_t m = corners.size();
+  const auto change = [&](std::size_t a, std::size_t b, std::size_t c, std::size_t d) {
+    return unturned_cross(corners[b] - corners[a], directions[d] - directions[c]) +
+           unturned_cross(directions[b] - directions[a], corners[d] - corners[c]);
+  };
+  Vec3<S> sum;
+  std::size_t k = 1;
+  for (; k + 2 < m; k += 2) sum += change(0, k + 1, k, k + 2);
+  if (k + 1 < m) sum += change(0, k, 0, k + 1);
+  return turned(sum);
+}
+
+/// Volume gradient at the vertex of a ring, m2: a sixth of the sum of N_j x N_(j+1). It does not depend on
+/// the vertex itself, since the volume is linear in each vertex.
+template <Scalar S, class Corners>
+[[gnu::always_inline]] inline Vec3<S> volume_gradient(const Corners& neighbours) noexcept {
+  return S(1.0 / 6.0) * twice_area<S>(neighbours);
+}
+
+/// At each ring's vertex. (rings, positions [particles]) => gradient [rings].
 template <Scalar S>
 void calc_volume_gradient(const RingTable& rings, std::span<const Vec3<S>> positions,
                           std::span<Vec3<S>> gradient) noexcept {
-  for_each_ring(rings, [&](std::size_t ring, std::size_t, auto neighbours) {
-    const auto at = [&](std::size_t j) { return positions[static_cast<std::size_t>(neighbours[j])]; };
-    Vec3<S> last = at(neighbours.size() - 1), last_turned = turned(last);
-    Vec3<S> sum;
-    for (std::size_t j = 0; j < neighbours.size(); ++j) {
-      const Vec3<S> here = at(j), here_turned = turned(here);
-      sum += hadamard(last, here_turned) - hadamard(last_turned, here);
-      last = here;
-      last_turned = here_turned;
-    }
-    gradient[ring] = S(1.0 / 6.0) * turned(sum);
+  for_each_ring(rings, [&]<std::size_t Valence>(std::size_t ring, std::size_t,
+                                                std::span<const int, Valence> neighbours) {
+    gradient[ring] = volume_gradient<S>(RingPositions<S, Valence>{neighbours, positions});
   });
 }
 

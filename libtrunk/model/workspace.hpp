@@ -15,6 +15,17 @@ namespace trunk {
 ///  - centred: the mean of those at its end and its start, which adds no mass. Calm where dt c < 2 m.
 enum class Damping { implicit, centred };
 
+/// What each ring does to the particle in its middle, and what it asks of those around it: [particles] each,
+/// by the one in the middle (see RingForces).
+template <Scalar S>
+struct RingReactions {
+  std::vector<Vec3<S>> on_particle, share, tilt, spin;
+
+  void resize(std::size_t particles) {
+    for (auto* field : {&on_particle, &share, &tilt, &spin}) field->resize(particles);
+  }
+};
+
 /// Scratch memory of one simulation, sized once: a step allocates nothing.
 template <Scalar S>
 struct Workspace {
@@ -22,17 +33,19 @@ struct Workspace {
   Mask<S> running = S(0.0) < S(1.0);  // where it no longer holds, the lane has ended and is not waited for
 
   // (model, parameters, dt) => constant during a run
-  std::vector<S> ring_stiffness;          // [rings] N/m
-  std::vector<S> momentum_mass;           // [particles] kg, m; centred m - dt c / 2
-  std::vector<S> inverse_effective_mass;  // [particles] 1/kg, 1 / (m + dt c); centred 1 / (m + dt c / 2)
+  std::vector<S> ring_stiffness;  // [rings] N/m
+  // What a step makes of a particle's velocity, s, of the force on it, s2/kg, and of a push by the
+  // constraints, 1/kg, along its free axes. With M = m + dt c and m' = m, or centred M = m + dt c / 2 and m'
+  // = m - dt c / 2: dt m' / M, dt^2 / M and 1 / M.
+  std::vector<Vec3<S>> velocity_weight, force_weight, push_weight;  // [particles]
 
   // scratch of one step
-  std::vector<Vec3<S>> force;               // [particles] N
-  std::vector<Vec3<S>> predicted;           // [particles] m, before the constraints
-  std::vector<Vec3<S>> corrected;           // [particles] m, with the supports, then with the volume
-  std::vector<Vec3<S>> direction;           // [particles] m per unit of the volume's multiplier
-  std::vector<Vec3<S>> gradient;            // [held rings] m2
-  std::vector<Vec3<S>> direction_gradient;  // [held rings]
+  std::vector<Vec3<S>> force;  // [particles] N
+  RingReactions<S> reactions;
+  std::vector<Vec3<S>> predicted;       // [particles] m, before the constraints
+  std::vector<Vec3<S>> corrected;       // [particles] m, with the supports, then with the volume
+  std::vector<Vec3<S>> direction;       // [particles] m per unit of the volume's multiplier
+  std::vector<Vec3<S>> gradient;        // [held rings] m2
   std::vector<Vec3<S>> free_direction;  // [supports] direction of a particle as if its support were absent
 
   /// The tangent plane of a support where its particle is: normal . x <= offset; normal . push = 1.
@@ -72,16 +85,22 @@ Workspace<S> make_workspace(const Model& model, const Parameters<S>& parameters,
     w.ring_stiffness.push_back(S(memory.stiffness_weight[r]) * factor * parameters.elasticity);
   }
   for (std::size_t i = 0; i < model.particles(); ++i) {
-    const S mass(model.mass[i]);
-    w.momentum_mass.push_back(mass - damped_before(model.damping_weight[i]));
-    w.inverse_effective_mass.push_back(S(1.0) / (mass + damped_later(model.damping_weight[i])));
+    const S dt(dt_s), mass(model.mass[i]), one(1.0);
+    const S per_mass = one / (mass + damped_later(model.damping_weight[i]));
+    const S kept = (mass - damped_before(model.damping_weight[i])) * per_mass;
+    const auto along_free_axes = [&](const S& weight) {
+      return scaled(model.mobility[i], Vec3<S>{weight, weight, weight});
+    };
+    w.velocity_weight.push_back(along_free_axes(dt * kept));
+    w.force_weight.push_back(along_free_axes(dt * dt * per_mass));
+    w.push_weight.push_back(along_free_axes(per_mass));
   }
   w.force.resize(model.particles());
+  w.reactions.resize(model.particles());
   w.predicted.resize(model.particles());
   w.corrected.resize(model.particles());
   w.direction.resize(model.particles());
   w.gradient.resize(model.abdomen.rings.size());
-  w.direction_gradient.resize(model.abdomen.rings.size());
   w.free_direction.resize(model.supports.size());
   w.plane.resize(model.supports.size());
   for (const RigidBody& body : model.bodies) {

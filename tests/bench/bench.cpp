@@ -1,6 +1,6 @@
-// What the benchmark script asks to be timed. Reads lines from its input, each the name of a case, and answers each
-// with a line of JSON: `ms`, the time of the work itself, and what else there is to say. Run from the root of the
-// project; `build/trunk_bench CASE...` times these once.
+// What the benchmark script asks to be timed. Reads lines from its input, each the name of a case, and
+// answers each with a line of JSON: `ms`, the time of the work itself, and what else there is to say. Run
+// from the root of the project; `build/trunk_bench CASE...` times these once.
 
 #include <fmt/format.h>
 
@@ -66,17 +66,18 @@ Case breath(const Subject& s, const TimeGrid& grid) {
           [=] { return fmt::format(R"(, "steps": {}, "dt_ms": {})", grid.steps(), 1e3 * grid.dt_s); }};
 }
 
-/// How far the enclosed volume is from what is asked for, over a whole breath; and the curve at the chosen step
-/// from the one at a quarter of a millisecond, in percent of the tidal volume.
+/// How far the enclosed volume is from what is asked for, over a whole breath; and the curve at the chosen
+/// step from the one at a quarter of a millisecond, in percent of the tidal volume.
 Case accuracy(const Subject& s) {
-  return {[] {}, [=] {
+  return {[] {},
+          [=] {
             const BreathRun run = run_breath(s.trunk, s.scenario, 0);
             const TimeGrid fine{0.25e-3, s.scenario.time.duration_s}, chosen = chosen_step(s).grid;
             const VolumeCurve exact = breath_on(s, fine), curve = breath_on(s, chosen);
             double apart = 0.0, highest = 0.0;
             for (std::size_t i = 0; i < curve.delta_v.size(); ++i) {
-              const auto same_time = static_cast<std::size_t>(
-                  std::lround(static_cast<double>(i) * chosen.dt_s / fine.dt_s));
+              const auto same_time =
+                  static_cast<std::size_t>(std::lround(static_cast<double>(i) * chosen.dt_s / fine.dt_s));
               if (same_time >= exact.delta_v.size()) break;
               apart = std::max(apart, std::abs(curve.delta_v[i] - exact.delta_v[same_time]));
               highest = std::max(highest, exact.delta_v[same_time]);
@@ -132,13 +133,15 @@ Case fit(const Subject& s, const TimeGrid& grid) {
           }};
 }
 
-/// 200 steps at rest and a little later, of a mesh that fine; the time step goes down with its particles' mass.
+/// 200 steps at rest and a little later, of a mesh that fine; the time step goes down with its particles'
+/// mass.
 Case steps_of_mesh(int resolution) {
   const Subject s = subject("healthy", resolution);
   const double stable_s = stable_time_step(s.trunk.model, s.scenario.parameters);
   const double dt_s = std::min(1e-3, 0.5 * stable_s);
   const TimeGrid grid{dt_s, 200 * dt_s};
-  return {[=] { breath_on(s, grid); }, [=] {
+  return {[=] { breath_on(s, grid); },
+          [=] {
             return fmt::format(R"(, "steps": {}, "particles": {})", grid.steps(), s.trunk.model.particles());
           }};
 }
@@ -196,14 +199,16 @@ Case made(const std::string& name) {
   if (what == "one") return one_in(kernel_named(which), subject("healthy"));
   if (what == "lanes") return lanes_in(kernel_named(which), subject("healthy"));
   if (what == "derivatives") return derivatives_in(kernel_named(which), subject("healthy"));
-  throw InputError("no case '" + name +
-                   "', expected breath, auto_breath, accuracy, batch, auto_batch, fit or auto_fit [SCENARIO], "
-                   "mesh RESOLUTION, or one, lanes or derivatives KERNEL");
+  throw InputError(
+      "no case '" + name +
+      "', expected breath, auto_breath, accuracy, batch, auto_batch, fit or auto_fit [SCENARIO], "
+      "mesh RESOLUTION, or one, lanes or derivatives KERNEL");
 }
 
 std::string kernel_names() {
   std::string names;
-  for (const Kernel* k : kernels()) names += fmt::format(R"({}"{}")", names.empty() ? "" : ", ", k->instruction_set);
+  for (const Kernel* k : kernels())
+    names += fmt::format(R"({}"{}")", names.empty() ? "" : ", ", k->instruction_set);
   return names;
 }
 

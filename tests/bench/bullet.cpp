@@ -109,7 +109,9 @@ Result breath(double conservation) {
 int main() {
   for (double conservation; std::cin >> conservation;) {
     const Result r = breath(conservation);
-    std::cout << "{\"ms\": " << r.ms << ", \"volume_error\": " << (std::isfinite(r.volume_error) ? r.volume_error : 1e300)
-              << ", \"descent_mm\": " << (std::isfinite(r.descent_mm) ? r.descent_mm : -1.0) << "}" << std::endl;
+    std::cout << "{\"ms\": " << r.ms
+              << ", \"volume_error\": " << (std::isfinite(r.volume_error) ? r.volume_error : 1e300)
+              << ", \"descent_mm\": " << (std::isfinite(r.descent_mm) ? r.descent_mm : -1.0) << "}"
+              << std::endl;
   }
 }

@@ -20,8 +20,13 @@ struct Body {
   std::vector<Vec3d> forces() const { return forces_at(position); }
   std::vector<Vec3d> forces_at(const std::vector<Vec3d>& x) const {
     std::vector<Vec3d> force(x.size());
-    add_shape_memory<double>(memory, stiffness, x, force);
+    add_to(force, x);
     return force;
+  }
+  void add_to(std::vector<Vec3d>& force, const std::vector<Vec3d>& x) const {
+    RingReactions<double> reactions;
+    reactions.resize(x.size());
+    add_shape_memory<double>(memory, stiffness, x, reactions, force);
   }
   double energy_at(const std::vector<Vec3d>& x) const { return shape_memory_energy(memory, stiffness, x); }
 };
@@ -135,8 +140,10 @@ TEST_CASE("Both reactions pull the particle itself alike", "[unit][forces]") {
     std::vector<double> stiffness(memory.rings.size(), 0.0);
     stiffness.back() = 1000.0;
     std::vector<Vec3d> variational(x.size()), published(x.size());
-    add_shape_memory<Reaction::variational, double>(memory, stiffness, x, variational);
-    add_shape_memory<Reaction::published, double>(memory, stiffness, x, published);
+    RingReactions<double> reactions;
+    reactions.resize(x.size());
+    add_shape_memory<Reaction::variational, double>(memory, stiffness, x, reactions, variational);
+    add_shape_memory<Reaction::published, double>(memory, stiffness, x, reactions, published);
     INFO(mesh.name);
     REQUIRE(norm(published[vertex]) > 0.1);
     CHECK(norm(variational[vertex] - published[vertex]) == 0.0);
@@ -177,7 +184,7 @@ TEST_CASE("Forces are added to what is there", "[unit][forces]") {
   Random random(27);
   const Body body = bodies(Reaction::variational, random).front();
   std::vector<Vec3d> force(body.position.size(), Vec3d{1, 2, 3});
-  add_shape_memory<double>(body.memory, body.stiffness, body.position, force);
+  body.add_to(force, body.position);
   for (Vec3d& f : force) f -= Vec3d{1, 2, 3};
   CHECK(largest(difference(force, body.forces())) < 1e-13);
 }
