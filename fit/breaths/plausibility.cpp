@@ -45,8 +45,9 @@ std::string better_unit(const Units& units, std::string_view base, std::string_v
   for (const Unit& unit : units)
     if (range.holds(corrected(unit)) && (best == nullptr || distance(unit) < distance(*best))) best = &unit;
   if (best == nullptr) return "";
-  return "the column named in " + std::string(from->words) + " may hold " + std::string(best->words) +
-         ": name it " + std::string(base) + "_" + std::string(best->name);
+  return "check that the signal is breathing; if it is, the column named in " + std::string(from->words) +
+         " may hold " + std::string(best->words) + ": name it " + std::string(base) + "_" +
+         std::string(best->name);
 }
 
 }  // namespace

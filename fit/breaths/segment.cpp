@@ -72,6 +72,14 @@ std::string odd_inspiration(const Breath& breath) {
   return "inspiration takes " + number_text(100 * part, 2) + " % of the breath";
 }
 
+// The last breath ends with the record: whether all of its expiration is there shows in those of the others.
+std::string cut_off(const Breath& breath, double record_end_s, double usual_expiration_s) {
+  const bool at_the_end = record_end_s - breath.end_s < 0.02 * breath.duration_s();
+  if (!at_the_end || breath.expiration_s() >= 0.8 * usual_expiration_s) return "";
+  return "the recording ends " + seconds(breath.expiration_s()) + " into its expiration, of usually " +
+         seconds(usual_expiration_s);
+}
+
 template <class Text>
 std::string odd_return(const Breath& breath, double shift, Text text) {
   if (std::abs(shift) <= 0.5 * breath.tidal_volume_m3) return "";
@@ -101,6 +109,7 @@ std::vector<double> shifts_of(const Landmarks& marks, double drift) {
 void judge(Segmentation& result, const std::vector<double>& shifts, const BreathSelection& selection) {
   const double usual_volume = median_of(result.breaths, tidal_volume);
   const double usual_duration = median_of(result.breaths, duration);
+  const double usual_expiration = median_of(result.breaths, [](const Breath& b) { return b.expiration_s(); });
   const auto volume = [&](double v) { return volume_text(v, result.calibrated); };
   for (std::size_t i = 0; i < result.breaths.size(); ++i) {
     Breath& breath = result.breaths[i];
@@ -108,7 +117,8 @@ void judge(Segmentation& result, const std::vector<double>& shifts, const Breath
     for (const auto& reason :
          {far_from_median("tidal volume", breath.tidal_volume_m3, usual_volume, volume),
           far_from_median("duration", breath.duration_s(), usual_duration, seconds), odd_inspiration(breath),
-          odd_return(breath, shifts[i] * breath.tidal_volume_m3, volume)}) {
+          odd_return(breath, shifts[i] * breath.tidal_volume_m3, volume),
+          cut_off(breath, result.time_s.back(), usual_expiration)}) {
       if (reason.empty()) continue;
       breath.kept = false;
       breath.reason += (breath.reason.empty() ? "" : "; ") + reason;

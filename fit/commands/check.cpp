@@ -62,14 +62,17 @@ std::optional<ScenarioFile> check_scenario(const CheckRequest& request, Findings
   if (!file) return file;
   findings.mistakes.gather([&] {
     const Trunk trunk = build_trunk(*file);
-    const double bound_s = stable_time_step(trunk.model, file->scenario.parameters);
+    const TimeGrid& time = file->scenario.time;
+    const double bound_s = stable_time_step(trunk.model, file->scenario.parameters, time.damping);
     findings.json["scenario"] = request.fit.scenario;
     findings.json["particles"] = trunk.model.particles();
-    findings.json["steps"] = file->scenario.time.steps();
     findings.json["stable_dt_s"] = json_number(bound_s);
-    findings.text += fmt::format("{}: good. {} particles, {} steps of {:g} ms (stable below {:.3g} ms)\n",
-                                 request.fit.scenario, trunk.model.particles(), file->scenario.time.steps(),
-                                 1e3 * file->scenario.time.dt_s, 1e3 * bound_s);
+    if (!file->scenario.automatic_step) findings.json["steps"] = time.steps();
+    const std::string steps = file->scenario.automatic_step
+                                  ? std::string("a time step yet to be chosen")
+                                  : fmt::format("{} steps of {:g} ms", time.steps(), 1e3 * time.dt_s);
+    findings.text += fmt::format("{}: good. {} particles, {} (stable below {:.3g} ms)\n",
+                                 request.fit.scenario, trunk.model.particles(), steps, 1e3 * bound_s);
   });
   return file;
 }

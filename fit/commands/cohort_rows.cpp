@@ -34,8 +34,12 @@ double number_in(const Json& json, const char* key) {
 void add_interval(const Json& estimate, const std::string& name, CohortRow& row) {
   const std::string unit = estimate.value("unit", "");
   row.numbers.push_back({name, unit, number_in(estimate, "value")});
-  row.numbers.push_back({name + "_lower95", unit, number_in(estimate, "lower95")});
-  row.numbers.push_back({name + "_upper95", unit, number_in(estimate, "upper95")});
+  // At a bound the interval of a linear model means nothing.
+  const bool at_bound = estimate.value("at_bound", false);
+  const auto end = [&](const char* key) { return at_bound ? std::nan("") : number_in(estimate, key); };
+  row.numbers.push_back({name + "_lower95", unit, end("lower95")});
+  row.numbers.push_back({name + "_upper95", unit, end("upper95")});
+  row.numbers.push_back({name + "_at_bound", "1", at_bound ? 1.0 : 0.0});
 }
 
 /// "4013 (3800 to 4240)"
@@ -47,6 +51,7 @@ std::string interval_text(const CohortRow& row, const std::string& name) {
   };
   const double value = number(name);
   if (!std::isfinite(value)) return "-";
+  if (number(name + "_at_bound") == 1.0) return fmt::format("{:.4g} (AT BOUND)", value);
   return fmt::format("{:.4g} ({} to {})", value, shown(number(name + "_lower95"), "{:.4g}"),
                      shown(number(name + "_upper95"), "{:.4g}"));
 }

@@ -134,9 +134,11 @@ void FitJob::store(const FitOutcome& outcome, const std::string& argv) {
       std::max(1, static_cast<int>(std::lround(best.scenario.frame_every_s / best.scenario.time.dt_s)));
   const BreathRun run = run_breath(fit_->trunk(), best.scenario, stride);
   const auto& breath = fit_->measurement().breath;
-  FitRecord record = fit_record(fit_->file(), fit_->trunk(), fit_->space(), fit_->target(),
-                                breath ? breath->sigma_m3 : std::vector<double>(), e, status_of(e), run,
-                                provenance_of(inputs(), argv));
+  Provenance provenance = provenance_of(inputs(), argv);
+  provenance.seed = fit_->plan().estimation.search.seed;
+  FitRecord record =
+      fit_record(fit_->file(), fit_->trunk(), fit_->space(), fit_->target(),
+                 breath ? breath->sigma_m3 : std::vector<double>(), e, status_of(e), run, provenance);
   add_breaths(outcome.breaths, record);
   add_predictions(outcome.predictions, record);
   write_fit(request_.output, record);

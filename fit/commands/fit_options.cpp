@@ -68,6 +68,7 @@ FitPlan plan_of(const FitRequest& request) {
   plan.estimation.loss = request.loss == "huber"     ? Loss::huber
                          : request.loss == "student" ? Loss::student
                                                      : Loss::squares;
+  if (!plan.estimation.search.algorithm.empty()) require_algorithm(plan.estimation.search.algorithm);
   if (request.surface >= 0) plan.estimation.surface_points = request.surface;
   if (request.surface == 1 || request.surface == 2)
     throw InputError("--surface: expected 0 (none) or 3 to 200 points along each parameter");

@@ -208,6 +208,14 @@ std::string fit_table(const SubjectFit& fit, const FitOutcome& outcome) {
                         e.surface->names[0], e.surface->region95[0].lower, e.surface->region95[0].upper,
                         e.surface->names[1], e.surface->region95[1].lower, e.surface->region95[1].upper,
                         e.surface->closed ? "" : " (reaches the edge of the grid)");
+  if (e.bootstrap) {
+    text += fmt::format("  95 % by {} bootstrap repeats (blocks of {} samples):", e.bootstrap->repeats,
+                        e.bootstrap->block);
+    for (std::size_t i = 0; i < e.bootstrap->interval95.size(); ++i)
+      text += fmt::format("{} {} {:.4g} to {:.4g}", i > 0 ? "," : "", e.uncertainty->parameters[i].name,
+                          e.bootstrap->interval95[i].lower, e.bootstrap->interval95[i].upper);
+    text += "\n";
+  }
   if (e.cross_check)
     text +=
         fmt::format("  {} and {} {} ({:.2g} % apart)\n", e.cross_check->first, e.cross_check->second,

@@ -28,6 +28,11 @@ Json summary(const Trunk& trunk, const Scenario& scenario, const BreathRun& run)
   json["triangles"] = trunk.mesh.distinct_triangles();
   json["steps"] = run.summary.steps;
   json["dt_s"] = scenario.time.dt_s;
+  if (const auto& choice = scenario.step_choice) {
+    json["dt_chosen"] = "auto";
+    json["dt_stable_s"] = json_number(choice->stable_s);
+    json["dt_estimated_error_percent"] = 100.0 * choice->estimated_error;
+  }
   json["wall_s"] = run.wall_s;
   json["message"] = run.summary.message;
   return json;
@@ -54,7 +59,7 @@ Exit simulate_command(const Common& common, const SimulateRequest& request) {
   }
   apply_settings(request.settings, file);
   require_apart(file.inputs, {request.output});
-  const Trunk trunk = build_trunk(file);
+  const Trunk trunk = build_timed_trunk(file);
   require_writable_target(request.output, common.force);
   const BreathRun run = run_breath(trunk, file.scenario, frame_stride(file.scenario));
   write_run(request.output, run_record(file, trunk, run, {}, provenance_of(file.inputs, common.argv)));

@@ -141,16 +141,27 @@ class Fitting {
   LeastSquares problem_;
 };
 
-/// What further simulations would take, from those done.
-double seconds_for(std::size_t simulations, const Estimation& e, const Execution& execution) {
-  double wall = 0.0;
-  for (const Evaluation& evaluation : e.evaluations) wall += evaluation.wall_s;
-  const unsigned threads =
-      execution.threads > 0 ? execution.threads : std::max(1u, std::thread::hardware_concurrency());
-  return wall / static_cast<double>(e.evaluations.size()) * static_cast<double>(simulations) / threads;
+/// What simulations take on an ordinary machine: a number of the problem and not of the machine's mood, so
+/// that the same fit always has the same parts (our choice: 60 ns a particle and step, two cores).
+double seconds_for(std::size_t simulations, std::size_t particles, int steps) {
+  return 0.5 * 60e-9 * static_cast<double>(particles) * steps * static_cast<double>(simulations);
 }
 
-void add_uncertainty(Objective& objective, const EstimationOptions& options, Estimation& e) {
+/// A profile that stays low up to where it was looked at says what the interval of a linear model cannot.
+/// Under a robust loss it is too flat to say so.
+void heed(const std::vector<Profile>& profiles, Loss loss, Uncertainty& u) {
+  if (loss != Loss::squares || profiles.empty()) return;
+  for (std::size_t i = 0; i < profiles.size(); ++i) {
+    const Interval& range = profiles[i].interval95;
+    if (std::isfinite(range.lower) && std::isfinite(range.upper)) continue;
+    u.parameters[i].identifiable = false;
+    u.parameters[i].open_profile = range;
+  }
+  conclude(u);
+}
+
+void add_uncertainty(Objective& objective, const EstimationOptions& options, std::size_t particles,
+                     const TimeGrid& grid, Estimation& e) {
   const SearchSpace& space = objective.space();
   if (objective.samples() <= static_cast<Eigen::Index>(space.size())) {
     e.uncertainty = without_uncertainty(objective, e.search.best);
@@ -169,9 +180,8 @@ void add_uncertainty(Objective& objective, const EstimationOptions& options, Est
                                 .minCoeff();
     e.cross_check->agree = e.cross_check->largest_difference <= 0.1 * smallest;
   }
-  e.evaluations = objective.evaluations();
   const auto affordable = [&](std::size_t simulations, const char* what, const char* option) {
-    const double needed = seconds_for(simulations, e, options.execution);
+    const double needed = seconds_for(simulations, particles, grid.steps());
     if (needed <= options.budget_s) return true;
     e.notes.push_back(
         fmt::format("no {}: it would take about {:.0f} s ({} forces it)", what, needed, option));
@@ -180,8 +190,9 @@ void add_uncertainty(Objective& objective, const EstimationOptions& options, Est
   const int points = 4;
   if (options.profiles && affordable(space.asked_for() * 3 * (2 * points), "profiles", "--profiles"))
     e.profiles = profiles(objective, *e.local, points);
-  const auto grid = static_cast<std::size_t>(options.surface_points);
-  if (grid > 0 && space.asked_for() == 2 && affordable(grid * grid, "likelihood surface", "--surface"))
+  heed(e.profiles, options.loss, *e.uncertainty);
+  const auto side = static_cast<std::size_t>(options.surface_points);
+  if (side > 0 && space.asked_for() == 2 && affordable(side * side, "likelihood surface", "--surface"))
     e.surface = likelihood_surface(objective, *e.local, options.surface_points);
   if (options.bootstrap > 0)
     e.bootstrap = bootstrap(objective, *e.local, options.bootstrap, options.search.seed);
@@ -198,8 +209,8 @@ Estimation estimate(const Trunk& trunk, const TimeGrid& grid, const SearchSpace&
     e.best = space.decode(e.search.best);
     e.model = *model;
     e.quality = quality_of(target, e.model, space.size(), space.decode(space.start()).activation, timed);
-    if (e.search.converged) add_uncertainty(objective, options, e);
-    if (e.uncertainty) e.uncertainty->verdict += caveat(e.quality);
+    if (e.search.converged) add_uncertainty(objective, options, trunk.model.particles(), grid, e);
+    if (e.uncertainty) e.uncertainty->verdict += caveat(e.quality, e.uncertainty->residual_autocorrelation);
   }
   e.evaluations = objective.evaluations();
   e.failures = objective.failures();

@@ -19,7 +19,7 @@ struct EstimationOptions {
   bool profiles = true;
   int surface_points = 11;  // along each of two parameters; 0: no surface
   int bootstrap = 0;        // repeats
-  double budget_s = 10.0;   // profiles and surface are left out where each would take longer
+  double budget_s = 10.0;   // profiles and surface are left out where each would take longer on two cores
   Execution execution;
 };
 

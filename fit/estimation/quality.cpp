@@ -33,8 +33,15 @@ Quality quality_of(const Target& target, const Eigen::VectorXd& model, std::size
   return q;
 }
 
-std::string caveat(const Quality& q) {
-  const double usual = 0.05;
+std::string caveat(const Quality& q, double residual_autocorrelation) {
+  const double usual = 0.05, small = 0.01, smooth = 0.95;
+  if (q.nrmse > small && q.nrmse < usual && residual_autocorrelation > smooth)
+    return fmt::format(
+        " What is left ({:.1f} % of tidal volume) is smooth, not noise: the model's course of the activation "
+        "does "
+        "not quite fit, and the numbers would move by more than their intervals with another (--free "
+        "k_elasticity,k_muscle,timing,fast_fall_level,shape shows how far).",
+        100.0 * q.nrmse);
   if (q.baseline_nrmse <= 0.0 || q.nrmse < std::max(usual, 2.0 * q.baseline_nrmse)) return "";
   return fmt::format(
       " The model follows this breath poorly ({:.1f} % of tidal volume, a one-compartment model {:.1f} %): "

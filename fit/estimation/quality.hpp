@@ -21,6 +21,6 @@ Quality quality_of(const Target& target, const Eigen::VectorXd& model, std::size
                    const BreathActivation<double>& given, std::size_t timed);
 
 /// A sentence where the model misses the breath however narrow its intervals; else "".
-std::string caveat(const Quality& quality);
+std::string caveat(const Quality& quality, double residual_autocorrelation);
 
 }  // namespace trunk

@@ -73,8 +73,12 @@ SearchSpace::SearchSpace(const std::vector<std::string>& names, const Candidate&
     require_within(p, value_of(p, start_), "starts at", fmt::format("{} in the scenario", p.scenario_key));
     shaped_ = shaped_ || p.group == Group::shape;
     Prior prior{std::string(p.name), {}, p.prior};
+    given_.push_back(0.0);
     for (const Prior& given : priors)
-      if (given.name == p.name) prior = given;
+      if (given.name == p.name) {
+        prior = given;
+        given_.back() = given.deviation;
+      }
     if (prior.mean) require_within(p, *prior.mean, "is expected near", "--prior");
     const double mean = prior.mean.value_or(value_of(p, start_));
     if (prior.deviation > 0.0 && p.scale == Scale::factor)
@@ -83,7 +87,9 @@ SearchSpace::SearchSpace(const std::vector<std::string>& names, const Candidate&
       priors_.push_back({i, mean / amount_of_one, prior.deviation / amount_of_one});
   }
   for (const Prior& given : priors)
-    if (!find(free_parameter(given.name).name))
+    if (std::count_if(priors.begin(), priors.end(), [&](const Prior& p) { return p.name == given.name; }) > 1)
+      throw InputError(fmt::format("--prior {}: given twice, expected once", given.name));
+    else if (!find(free_parameter(given.name).name))
       throw InputError(
           fmt::format("--prior {}: it is not fitted, expected it among those of --free", given.name));
 }

@@ -34,6 +34,9 @@ class SearchSpace {
   bool is_ratio(std::size_t i) const;
   std::optional<std::size_t> find(std::string_view name) const;
 
+  /// Deviation of the prior that was given for it, of the logarithm or amount; 0: none was.
+  double given_deviation(std::size_t i) const { return given_[i]; }
+
   Eigen::VectorXd encode(const Candidate& candidate) const;
   Candidate decode(const Eigen::VectorXd& x) const;
   Eigen::VectorXd start() const { return encode(start_); }
@@ -62,6 +65,7 @@ class SearchSpace {
   std::size_t asked_for_ = 0;
   Candidate start_;
   std::vector<PriorRow> priors_;
+  std::vector<double> given_;  // [size]
   bool shaped_ = false;
 };
 

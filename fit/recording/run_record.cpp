@@ -1,5 +1,7 @@
 #include "recording/run_record.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -62,7 +64,14 @@ std::vector<double> scaled_by(double factor, std::vector<double> values) {
 }  // namespace
 
 std::string scenario_text(const ScenarioFile& file) {
-  std::string text = to_toml(file.scenario) + "\n# as given in " + file.path + ":\n# ";
+  std::string text = to_toml(file.scenario);
+  if (const auto& c = file.scenario.step_choice)
+    text += fmt::format(
+        "\n# time.dt_ms = \"auto\" chose {:g} ms: stable below {:.3g} ms, lung volume within {:.2g} % of "
+        "short "
+        "steps\n",
+        1e3 * c->grid.dt_s, 1e3 * c->stable_s, 100.0 * c->estimated_error);
+  text += "\n# as given in " + file.path + ":\n# ";
   for (char c : file.text) {
     text += c;
     if (c == '\n') text += "# ";

@@ -7,7 +7,6 @@
 #include <exception>
 #include <limits>
 #include <memory>
-#include <stdexcept>
 
 #include "errors/input_error.hpp"
 
@@ -64,8 +63,10 @@ struct Call {
     auto out = Eigen::VectorXd::Map(gradient, x.size());
     const Slopes j = outcome.residuals ? slopes_at(problem, x) : std::nullopt;
     evaluations += problem.exact_slopes ? 1 : static_cast<int>(x.size());
-    if (!j) throw std::runtime_error("the model fails beside a point a gradient is needed at: try bobyqa");
-    out = 2.0 * j->transpose() * *outcome.residuals;
+    if (j)
+      out = 2.0 * j->transpose() * *outcome.residuals;
+    else
+      out.setZero();  // the value is a penalty, which no search stays at
   }
 };
 
@@ -136,6 +137,10 @@ std::string algorithm_names() {
   std::string names;
   for (const Algorithm& a : algorithms) names += std::string(a.name) + ", ";
   return names + "or lm";
+}
+
+void require_algorithm(const std::string& name) {
+  if (name != "lm") algorithm_named(name);
 }
 
 SearchResult minimise(const LeastSquares& problem, const Eigen::VectorXd& start,

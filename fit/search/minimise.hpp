@@ -27,6 +27,9 @@ struct SearchResult {
 /// "bobyqa, sbplx, ...": derivative-free, with a gradient by differences, global, and GSL's.
 std::string algorithm_names();
 
+/// Throws InputError, listing the names there are.
+void require_algorithm(const std::string& name);
+
 /// Searches from `start` with the algorithm of that name: NLopt's, or `lm` (see levenberg_marquardt). The
 /// global ones, `mlsl` (multi-level single linkage over a low-discrepancy sequence) and `direct`, look at the
 /// whole box until max_evaluations and are followed by a local search from their best point. Throws

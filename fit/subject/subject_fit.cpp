@@ -89,7 +89,7 @@ SubjectFit::SubjectFit(ScenarioFile file, Measurement measurement, FitPlan plan)
   space_ = std::make_unique<SearchSpace>(names_to_fit(plan_, measurement_, fixed),
                                          Candidate{file_.scenario.parameters, file_.scenario.activation},
                                          beside, plan_.priors);
-  trunk_ = build_trunk(file_);
+  trunk_ = build_timed_trunk(file_);
 }
 
 std::string SubjectFit::problem_text() const {
@@ -100,7 +100,17 @@ std::string SubjectFit::problem_text() const {
 }
 
 Estimation SubjectFit::carry_out(Ledger& ledger) const {
-  return estimate(trunk_, file_.scenario.time, *space_, target_, plan_.estimation, ledger, timed_);
+  Estimation e = estimate(trunk_, file_.scenario.time, *space_, target_, plan_.estimation, ledger, timed_);
+  if (!file_.scenario.step_choice || e.model.size() == 0) return e;
+  const TimeGrid& grid = file_.scenario.time;
+  const double error = time_step_error(trunk_.model, e.best.parameters, e.best.activation, grid);
+  if (error > 2.0 * auto_time_step_tolerance)
+    e.notes.push_back(fmt::format(
+        "the time step of {:g} ms, chosen for the parameters at the start, is {} at the fitted ones: fit "
+        "again from there (--set the fitted values) or with time.dt_ms=1",
+        1e3 * grid.dt_s,
+        finite(error) ? fmt::format("{:.2g} % of the tidal volume off", 100.0 * error) : "unstable"));
+  return e;
 }
 
 ScenarioFile SubjectFit::fitted(const Estimation& e) const {

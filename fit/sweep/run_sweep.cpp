@@ -25,7 +25,7 @@ Finished simulate_run(const SweepDesign& design, std::size_t run, const Provenan
   try {
     ScenarioFile file = read_scenario(design.scenario_of(run));
     apply_settings(design.settings_of(run), file);
-    const Trunk trunk = build_trunk(file);
+    const Trunk trunk = build_timed_trunk(file);
     const auto stride = std::lround(1e-3 * design.frame_every_ms / file.scenario.time.dt_s);
     const BreathRun result = run_breath(trunk, file.scenario, std::max(1, static_cast<int>(stride)));
     return {run, run_record(file, trunk, result, {}, provenance), ""};

@@ -16,7 +16,7 @@ using Scale = FreeParameter::Scale;
 
 constexpr double widest_identifiable = 4.0;         // upper over lower end of the 95 % interval
 constexpr double widest_identifiable_amount = 0.4;  // upper minus lower end
-constexpr double at_bound_margin = 1e-4;            // in coordinates
+constexpr double at_bound_margin = 0.02;            // in coordinates: searches end beside a bound
 
 Interval interval(Scale scale, double value, double deviation, double quantile) {
   const double reach = quantile * deviation;
@@ -118,16 +118,29 @@ Uncertainty assess(const Objective& objective, const LocalFit& fit) {
                           {std::sqrt(corrected(row, row)), std::sqrt(naive(row, row))}, fit.noise);
     e.at_bound = fit.x[row] < lower[row] + at_bound_margin || fit.x[row] > upper[row] - at_bound_margin;
     e.identifiable = e.identifiable && !e.at_bound;
+    e.prior = space.given_deviation(i);
     if (space.is_ratio(i))
       u.ratio = estimate(
           "k_muscle/k_elasticity", "1", Scale::factor, best.parameters.muscle / best.parameters.elasticity,
           {std::sqrt(fit.covariance(row, row)), std::sqrt(fit.naive_covariance(row, row))}, fit.noise);
     (i < space.asked_for() ? u.parameters : u.beside).push_back(std::move(e));
   }
+  // One that goes with another at its bound is as little known.
+  const auto named = [&](const char* name) {
+    return std::find_if(u.parameters.begin(), u.parameters.end(),
+                        [&](const Estimate& e) { return e.name == name; });
+  };
+  const auto elasticity = named("k_elasticity"), muscle = named("k_muscle");
+  if (elasticity != u.parameters.end() && muscle != u.parameters.end() && elasticity->at_bound)
+    muscle->identifiable = false;
+  conclude(u);
+  return u;
+}
+
+void conclude(Uncertainty& u) {
   u.identifiable =
       std::all_of(u.parameters.begin(), u.parameters.end(), [](const Estimate& e) { return e.identifiable; });
   u.verdict = verdict_of(u);
-  return u;
 }
 
 Uncertainty without_uncertainty(const Objective& objective, const Eigen::VectorXd& x) {

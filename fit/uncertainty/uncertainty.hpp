@@ -21,6 +21,8 @@ struct Estimate {
   bool at_bound = false;
   bool identifiable = false;
   Interval naive95{};  // as if every sample were independent
+  double prior = 0.0;  // deviation of what was given beforehand, of the logarithm or amount; 0: nothing was
+  std::optional<Interval> open_profile{};  // of a profile that is not closed: an end is infinite
 };
 
 /// A product of powers of the free parameters, and how well it is determined.
@@ -60,8 +62,12 @@ struct Uncertainty {
   std::string verdict;
 };
 
+/// From the parameters to the verdict on all of them. (parameters, ratio) => identifiable, verdict
+void conclude(Uncertainty& uncertainty);
+
 /// A free parameter is called identifiable where its 95 % interval spans less than a factor of 4 (0.4 of its
-/// unit, if searched for by amounts) and it is not at a bound (our choice).
+/// unit, if searched for by amounts), it is not within 2 % of a bound, k_muscle not with k_elasticity at one
+/// (our choice), and its profile, if there is one, is closed.
 Uncertainty assess(const Objective& objective, const LocalFit& fit);
 
 /// As many numbers fitted as measured: nothing is left to tell how far to trust them.

@@ -10,9 +10,19 @@
 namespace trunk {
 namespace {
 
-/// "4000 N/m within 3 %", or the interval where a percentage would mean little.
+/// "4000 N/m within 3 %", or the interval where a percentage would mean little; at a bound, and where the
+/// profile is open, the interval of a linear model means nothing.
 std::string with_interval(const Estimate& e) {
   const std::string unit = e.unit == "1" ? "" : " " + e.unit;
+  if (e.at_bound) return fmt::format("{} (stopped at its bound, {:.3g}{})", e.name, e.value, unit);
+  if (e.open_profile) {
+    const auto& [low, high] = *e.open_profile;
+    if (std::isfinite(low))
+      return fmt::format("{}, at least {:.3g}{} and no upper end seen", e.name, low, unit);
+    if (std::isfinite(high))
+      return fmt::format("{}, at most {:.3g}{} and no lower end seen", e.name, high, unit);
+    return e.name + ", no end seen on either side";
+  }
   const double percent = 100.0 * (e.upper95 / e.value - 1.0);
   if (!(e.lower95 > 0.0))
     return fmt::format("{} = {:.3g}{} within {:.2g}", e.name, e.value, unit, e.upper95 - e.value);
@@ -56,7 +66,7 @@ Sentences sorted(const Uncertainty& u, bool ratio_matters) {
       s.known_knots += e.identifiable ? 1 : 0;
       continue;
     }
-    const std::string text = with_interval(e) + (e.at_bound ? " (stopped at its bound)" : "");
+    const std::string text = with_interval(e);
     if (e.identifiable)
       Sentences::add(s.determined, text);
     else if (!(ratio_matters && e.name == "k_muscle"))
@@ -70,6 +80,20 @@ Sentences sorted(const Uncertainty& u, bool ratio_matters) {
                    fmt::format("{} of {} heights of the activation's shape, which follow their neighbours",
                                s.knots - s.known_knots, s.knots));
   return s;
+}
+
+/// What was given beforehand is not the trace's: named where it is most of what is known (our choice: where
+/// the interval is not half as wide as what was given).
+std::string leaning_on_priors(const Uncertainty& u) {
+  std::string names;
+  for (const Estimate& e : u.parameters) {
+    const double spread = std::log(e.upper95 / e.lower95) / (2.0 * 1.96);
+    if (e.prior > 0.0 && e.lower95 > 0.0 && spread > 0.5 * e.prior)
+      names += (names.empty() ? "" : ", ") + e.name;
+  }
+  return names.empty()
+             ? ""
+             : " Most of what is known of " + names + " was given beforehand (--prior), not by the trace.";
 }
 
 std::string advice(const Uncertainty& u) {
@@ -88,9 +112,11 @@ std::string verdict_of(const Uncertainty& u) {
   const Sentences s = sorted(u, ratio_matters);
   const bool damping_free = std::any_of(u.parameters.begin(), u.parameters.end(),
                                         [](const Estimate& e) { return e.name == "damping"; });
+  const bool given =
+      std::any_of(u.parameters.begin(), u.parameters.end(), [](const Estimate& e) { return e.prior > 0.0; });
   if (s.open.empty())
-    return fmt::format("Determined by this trace{}: {}.", damping_free ? "" : ", for the damping assumed",
-                       s.determined);
+    return fmt::format("Determined by this trace{}{}: {}.{}", given ? " with what was given beforehand" : "",
+                       damping_free ? "" : ", for the damping assumed", s.determined, leaning_on_priors(u));
   std::string text;
   if (ratio_matters)
     text = "Only the ratio is determined: " + s.determined + ". ";

@@ -36,7 +36,7 @@ Trunk make_trunk(const Scenario& s) {
 }
 
 void require_stable(const Scenario& s, const Trunk& trunk) {
-  const double bound = stable_time_step(trunk.model, s.parameters);
+  const double bound = stable_time_step(trunk.model, s.parameters, s.time.damping);
   if (!(s.time.dt_s < bound))
     throw InputError(fmt::format(
         "a time step of {:.4g} ms is unstable for k_elasticity {:.4g} N/m, k_muscle {:.4g} N/m and damping "

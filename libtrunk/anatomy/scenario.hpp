@@ -1,12 +1,14 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "activation/breath_activation.hpp"
 #include "anatomy/region_loads.hpp"
 #include "anatomy/trunk.hpp"
+#include "dynamics/auto_time_step.hpp"
 #include "dynamics/simulate.hpp"
 #include "model/parameters.hpp"
 
@@ -23,8 +25,10 @@ struct Scenario {
   Parameters<double> parameters{4000.0, 30.0, 20.0, 1.0};
   BreathActivation<double> activation;
   TimeGrid time;
-  double frame_every_s = 0.01;  // between stored trajectory frames
-  Vec3d gravity;                // m/s2; 0: the rest shape was imaged under gravity, which is thus in it
+  bool automatic_step = false;                // time.dt_s is still to be chosen
+  std::optional<TimeStepChoice> step_choice;  // how `time` was chosen, where it was
+  double frame_every_s = 0.01;                // between stored trajectory frames
+  Vec3d gravity;  // m/s2; 0: the rest shape was imaged under gravity, which is thus in it
   std::vector<RegionLoad> loads;
   std::vector<RigidPart> rigid;
   PiecewiseLinear abdominal_volume;  // fraction of rest; empty: constant

@@ -1,5 +1,6 @@
 #include "dynamics/auto_time_step.hpp"
 
+#include <limits>
 #include <optional>
 
 #include "dynamics/stability.hpp"
@@ -45,11 +46,22 @@ bool divides(double dt_s, double duration_s) {
   return std::abs(dt_s * std::round(duration_s / dt_s) - duration_s) < 0.5e-3;
 }
 
+constexpr double fine_s = 1e-3;
+
+/// See auto_time_step; nothing where the simulation fails.
+std::optional<double> estimated_error(const Model& model, const Trial<double>& trial, const TimeGrid& grid,
+                                      const Sampled& fine) {
+  if (grid.dt_s <= fine_s) return 0.0;
+  const auto coarse = run(model, trial, grid);
+  if (!coarse) return std::nullopt;
+  return difference(*coarse, fine) * grid.dt_s / (grid.dt_s - fine_s);
+}
+
 }  // namespace
 
 TimeStepChoice auto_time_step(const Model& model, const Parameters<double>& parameters,
                               const BreathActivation<double>& activation, double duration_s) {
-  constexpr double fine_s = 1e-3, safety = 0.9;
+  constexpr double safety = 0.9;
   const Trial<double> trial{parameters, activation};
   TimeStepChoice choice{{fine_s, duration_s}, stable_time_step(model, parameters), 0.0};
   const auto fine = run(model, trial, choice.grid);
@@ -59,12 +71,18 @@ TimeStepChoice auto_time_step(const Model& model, const Parameters<double>& para
       const TimeGrid grid{1e-3 * ms, duration_s, damping};
       const double stable_s = stable_time_step(model, parameters, damping);
       if (grid.dt_s > safety * stable_s || !divides(grid.dt_s, duration_s)) continue;
-      const auto coarse = run(model, trial, grid);
-      if (!coarse) continue;
-      const double error = difference(*coarse, *fine) * grid.dt_s / (grid.dt_s - fine_s);
-      if (error <= auto_time_step_tolerance) return {grid, stable_s, error};
+      const auto error = estimated_error(model, trial, grid, *fine);
+      if (error && *error <= auto_time_step_tolerance) return {grid, stable_s, *error};
     }
   return choice;
+}
+
+double time_step_error(const Model& model, const Parameters<double>& parameters,
+                       const BreathActivation<double>& activation, const TimeGrid& grid) {
+  const Trial<double> trial{parameters, activation};
+  const auto fine = run(model, trial, {fine_s, grid.duration_s});
+  const auto error = fine ? estimated_error(model, trial, grid, *fine) : std::nullopt;
+  return error.value_or(std::numeric_limits<double>::infinity());
 }
 
 }  // namespace trunk

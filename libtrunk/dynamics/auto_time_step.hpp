@@ -23,4 +23,9 @@ struct TimeStepChoice {
 TimeStepChoice auto_time_step(const Model& model, const Parameters<double>& parameters,
                               const BreathActivation<double>& activation, double duration_s);
 
+/// The error of a grid as auto_time_step estimates it: to see whether a step chosen for some parameters
+/// serves others. Infinite where a simulation fails.
+double time_step_error(const Model& model, const Parameters<double>& parameters,
+                       const BreathActivation<double>& activation, const TimeGrid& grid);
+
 }  // namespace trunk

@@ -33,6 +33,9 @@ struct Assign {
     place.fail(fmt::format("{} is {}, expected {}", key.path, shown(node), expectation(key)));
   }
   void operator()(const ScenarioKey::Number& n) const {
+    const bool open = n.automatic && node.value_exact<std::string>() == "auto";
+    if (n.automatic) n.automatic(scenario) = open;
+    if (open) return;
     const double value = number_of(node, std::string(key.path), expectation(key), place);
     if (!(value >= n.low && value <= n.high)) wrong();
     n.field(scenario) = value * n.to_si;
@@ -97,7 +100,9 @@ class Reader {
     const std::string &path = setting.key, &text = setting.value;
     const ScenarioKey* key = find_key(path);
     if (!key) unknown_key(path, place);
-    const bool plain = std::holds_alternative<ScenarioKey::Choice>(key->kind) ||
+    const auto* number = std::get_if<ScenarioKey::Number>(&key->kind);
+    const bool plain = (number && number->automatic && text == "auto") ||
+                       std::holds_alternative<ScenarioKey::Choice>(key->kind) ||
                        std::holds_alternative<ScenarioKey::Text>(key->kind) ||
                        std::holds_alternative<ScenarioKey::File>(key->kind);
     toml::table table;
@@ -285,10 +290,22 @@ Trunk build_trunk(const ScenarioFile& file) {
     if (std::ranges::any_of(file.scenario.rigid, is_from)) throw;  // it names its own line
     throw at(file.scenario.mesh ? file.scenario.mesh_file : file.path, error);
   }
+  if (file.scenario.automatic_step) return trunk;
   try {
     require_stable(file.scenario, trunk);
   } catch (const InputError& error) {
     throw at(file.where("time.dt_ms"), error);
+  }
+  return trunk;
+}
+
+Trunk build_timed_trunk(ScenarioFile& file) {
+  Trunk trunk = build_trunk(file);
+  Scenario& s = file.scenario;
+  if (s.automatic_step) {
+    s.step_choice = auto_time_step(trunk.model, s.parameters, s.activation, s.time.duration_s);
+    s.time = s.step_choice->grid;
+    s.automatic_step = false;
   }
   return trunk;
 }

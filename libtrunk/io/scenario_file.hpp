@@ -45,8 +45,12 @@ ScenarioFile scenario_of_text(const std::string& text, const std::string& name, 
 void apply_settings(const std::vector<Setting>& settings, ScenarioFile& file);
 void apply_settings(const std::vector<std::string>& settings, ScenarioFile& file);
 
-/// Builds the trunk and requires a stable time step. InputErrors name the file and line to change.
+/// Builds the trunk and requires a stable time step, unless that is still to be chosen. InputErrors name the
+/// file and line to change.
 Trunk build_trunk(const ScenarioFile& file);
+
+/// The same, and chooses the time step where the scenario says "auto", which takes some simulations.
+Trunk build_timed_trunk(ScenarioFile& file);
 
 /// The whole scenario as TOML, every key with its value: reading it gives the same scenario.
 std::string to_toml(const Scenario& scenario);

@@ -156,9 +156,14 @@ std::vector<Key> make_keys() {
       number(
           "time.duration_s", "s", one, 1e-3, 3600, [](Scenario& s) -> double& { return s.time.duration_s; },
           "how long to simulate"),
-      number(
-          "time.dt_ms", "ms", ms, 1e-4, 1000, [](Scenario& s) -> double& { return s.time.dt_s; },
-          "time step"),
+      {"time.dt_ms", "time step; auto: the longest that shows the lung volume within 0.1 % of short ones",
+       Key::Number{"ms", ms, 1e-4, 1000, [](Scenario& s) -> double& { return s.time.dt_s; },
+                   [](Scenario& s) -> bool& { return s.automatic_step; }}},
+      {"time.damping",
+       "velocity that damping acts on in a step: the one at its end, or the mean of both ends",
+       Key::Choice{{"implicit", "centred"},
+                   [](Scenario& s, int i) { s.time.damping = static_cast<Damping>(i); },
+                   [](const Scenario& s) { return static_cast<int>(s.time.damping); }}},
       number(
           "time.frame_every_ms", "ms", ms, 1e-4, 1e6, [](Scenario& s) -> double& { return s.frame_every_s; },
           "between stored frames"),
@@ -199,7 +204,8 @@ std::span<const ScenarioKey> scenario_keys() {
 
 std::string expectation(const ScenarioKey& key) {
   if (const auto* n = std::get_if<Key::Number>(&key.kind))
-    return fmt::format("a number{}{}, {:g} to {:g}", n->unit.empty() ? "" : " of ", n->unit, n->low, n->high);
+    return fmt::format("a number{}{}, {:g} to {:g}{}", n->unit.empty() ? "" : " of ", n->unit, n->low,
+                       n->high, n->automatic ? ", or \"auto\"" : "");
   if (const auto* c = std::get_if<Key::Choice>(&key.kind))
     return fmt::format("one of \"{}\"", fmt::join(c->names, "\", \""));
   if (const auto* i = std::get_if<Key::Integer>(&key.kind))
@@ -249,7 +255,8 @@ std::string toml_text(std::string_view text) {
 
 std::string toml_value(const ScenarioKey& key, const Scenario& scenario) {
   Scenario& s = const_cast<Scenario&>(scenario);  // the accessors serve reading and writing
-  if (const auto* n = std::get_if<Key::Number>(&key.kind)) return fmt::format("{}", n->field(s) / n->to_si);
+  if (const auto* n = std::get_if<Key::Number>(&key.kind))
+    return n->automatic && n->automatic(s) ? "\"auto\"" : fmt::format("{}", n->field(s) / n->to_si);
   if (const auto* i = std::get_if<Key::Integer>(&key.kind)) return fmt::format("{}", i->field(s));
   if (const auto* c = std::get_if<Key::Choice>(&key.kind))
     return fmt::format("\"{}\"", c->names[static_cast<std::size_t>(c->get(scenario))]);

@@ -18,6 +18,7 @@ struct ScenarioKey {
     double to_si;           // SI value = file value * to_si
     double low, high;       // allowed, in the file's unit
     double& (*field)(Scenario&);
+    bool& (*automatic)(Scenario&) = nullptr;  // may be "auto" instead of a number
   };
   struct Integer {
     int low, high;

@@ -41,7 +41,7 @@ struct Subject {
 Subject subject(const std::string& name, int resolution = 1) {
   auto file = read_scenario("scenarios/" + name + ".toml");
   file.scenario.geometry.resolution = resolution;
-  return {file.scenario, build_trunk(file)};
+  return {file.scenario, make_trunk(file.scenario)};
 }
 
 Trials different(const Scenario& s, std::size_t count) {

@@ -17,7 +17,7 @@
 namespace {
 
 constexpr int nodes = 113, steps = 4500;
-constexpr btScalar dt_s(1e-3);
+constexpr auto dt_s = static_cast<btScalar>(1e-3);
 constexpr double pull_N = 350.0;  // on each pulled node: they come down by about 9 mm, as the dome does
 
 /// Evenly spread over an ellipsoid of a trunk's size (golden-angle spiral), m; their hull has 2 nodes - 4

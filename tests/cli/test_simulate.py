@@ -3,6 +3,8 @@
 import unittest
 from pathlib import Path
 
+import h5py
+
 from support import COARSE, HEALTHY, SCENARIOS, TrunkTest
 
 NAMES = sorted(p.stem for p in SCENARIOS.glob("*.toml") if not p.stem.startswith("sweep_"))
@@ -127,6 +129,32 @@ class Options(TrunkTest):
     def test_force_does_not_replace_the_input(self):
         own = self.file("own.toml", Path(HEALTHY).read_text())
         self.refused("simulate", own, "-o", own, *COARSE, "--force", says="own.toml")
+
+class ChosenTimeStep(TrunkTest):
+    def test_auto_is_longer_and_as_good(self):
+        chosen = self.succeeds("simulate", HEALTHY, "-o", "a.h5", "--set", "time.dt_ms=auto")
+        fine = self.succeeds("simulate", HEALTHY, "-o", "f.h5", "--set", "time.dt_ms=0.25")
+        self.assertEqual(chosen["dt_chosen"], "auto")
+        self.assertGreaterEqual(chosen["dt_s"], 0.002)
+        self.assertLess(chosen["dt_s"], chosen["dt_stable_s"])
+        self.assertLessEqual(chosen["dt_estimated_error_percent"], 0.1)
+        self.assertAlmostEqual(chosen["delta_v_ml"] / fine["delta_v_ml"], 1, delta=1e-3)
+        self.assertNotIn("dt_chosen", fine)
+
+    def test_the_choice_is_in_the_file_and_gives_the_same_again(self):
+        first = self.succeeds("simulate", HEALTHY, "-o", "a.h5", "--set", "time.dt_ms=auto")
+        with h5py.File(self.folder / "a.h5") as file:
+            text = file["parameters/scenario_toml"][()].decode()
+        self.assertIn('"auto" chose', text)
+        self.assertRegex(text, rf"dt_ms = {1e3 * first['dt_s']:g}\n")
+        (self.folder / "again.toml").write_text(text)
+        again = self.succeeds("simulate", "again.toml", "-o", "b.h5")
+        self.assertEqual((again["delta_v_ml"], again["dt_s"]), (first["delta_v_ml"], first["dt_s"]))
+
+    def test_check_leaves_it_open(self):
+        found = self.succeeds("check", HEALTHY, "--set", "time.dt_ms=auto")
+        self.assertNotIn("steps", found)
+        self.refused("check", HEALTHY, "--set", "time.dt_ms=automatic", says='or "auto"')
 
 
 if __name__ == "__main__":

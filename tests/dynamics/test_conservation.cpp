@@ -26,7 +26,7 @@ struct FreeFlight {
   }
   void advance() {
     calc_forces(model, parameters, 0.0, state, w);
-    predict(model, state, w);
+    predict(state, w);
     w.corrected = w.predicted;
     accept(model, 0.0, w, state);
   }

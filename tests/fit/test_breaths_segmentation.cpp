@@ -57,6 +57,19 @@ TEST_CASE("breaths of one record may differ; cut ones at its ends do not count",
   CHECK_THAT(found.notes.back(), Contains("not used"));
 }
 
+TEST_CASE("a last expiration that the record cuts does not count as whole", "[unit][breaths]") {
+  Record record;
+  record.breaths.resize(6);
+  record.cut_s = 0.9;  // of 2.5 s: nearly empty already, and no pause seen
+  const Segmentation found = segment_breaths(volume_trace(record));
+  REQUIRE(found.breaths.size() >= 5);
+  for (std::size_t i = 0; i < 5; ++i) CHECK(found.breaths[i].kept);
+  for (std::size_t i = 5; i < found.breaths.size(); ++i) {
+    CHECK_FALSE(found.breaths[i].kept);
+    CHECK_THAT(found.breaths[i].reason, Contains("the recording ends"));
+  }
+}
+
 TEST_CASE("a record of one whole breath is enough", "[unit][breaths]") {
   Record record;
   record.breaths.resize(1);

@@ -160,6 +160,40 @@ TEST_CASE("the verdict names what is determined and what is not", "[unit]") {
              Contains("Only a combination is determined: k_elasticity^-0.52 damping to 3 %"));
 }
 
+TEST_CASE("the verdict says what comes from a bound, an open profile or a prior", "[unit]") {
+  Uncertainty u;
+  u.parameters = {{"k_elasticity", "N/m", 4000, 300, 3500, 4600, false, true, {}},
+                  {"k_muscle", "N/m", 28, 2, 24, 33, false, true, {}}};
+  u.ratio = {"k_muscle/k_elasticity", "1", 0.007, 1e-5, 0.00698, 0.00702, false, true, {}};
+  conclude(u);
+  REQUIRE(u.identifiable);
+
+  Uncertainty open = u;
+  open.parameters[0].identifiable = false;
+  open.parameters[0].open_profile = Interval{3600.0, std::numeric_limits<double>::infinity()};
+  conclude(open);
+  CHECK_FALSE(open.identifiable);
+  CHECK_THAT(open.verdict, Contains("k_elasticity, at least 3.6e+03 N/m and no upper end seen"));
+  CHECK_THAT(open.verdict, !Contains("4600"));
+
+  Uncertainty stopped = u;
+  stopped.parameters[0].at_bound = true;
+  stopped.parameters[0].identifiable = stopped.parameters[1].identifiable = false;
+  conclude(stopped);
+  CHECK_THAT(stopped.verdict, Contains("Only the ratio is determined"));
+  CHECK_THAT(stopped.verdict, Contains("k_elasticity (stopped at its bound, 4e+03 N/m)"));
+  CHECK_THAT(stopped.verdict, !Contains("k_muscle = "));
+
+  Uncertainty given = u;
+  given.parameters[0].prior = 0.1;  // the interval is hardly narrower
+  conclude(given);
+  CHECK_THAT(given.verdict, Contains("Determined by this trace with what was given beforehand"));
+  CHECK_THAT(given.verdict, Contains("Most of what is known of k_elasticity was given beforehand"));
+  given.parameters[0].prior = 1.0;
+  conclude(given);
+  CHECK_THAT(given.verdict, !Contains("Most of"));
+}
+
 TEST_CASE("the one-compartment baseline finds its own constants again", "[unit]") {
   const BreathActivation<double> activation;
   const double drive = 1.4e-3, rate = 3.2;

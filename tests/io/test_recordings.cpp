@@ -178,6 +178,24 @@ TEST_CASE("a MAT-file gives vectors, columns and fields of structs") {
   }
 }
 
+TEST_CASE("a MAT-file that was cut is refused: libmatio would fill it up with zeros") {
+  const TemporaryFolder folder;
+  const auto path = folder / "a.mat";
+  const bool compressed = GENERATE(true, false);
+  {
+    MatWriter file(path, MAT_FT_MAT5);
+    file.write(MatWriter::matrix("fs", {100.0}, 1), compressed);
+    file.write(MatWriter::matrix("volume_ml", waves(), samples), compressed);
+  }
+  const std::string whole = content_of(path);
+  REQUIRE(trace_error_at(path).empty());
+  for (const std::size_t kept : {whole.size() - 1, whole.size() / 2, std::size_t{200}, std::size_t{131}}) {
+    folder.write("a.mat", whole.substr(0, kept));
+    CAPTURE(kept);
+    CHECK_THAT(trace_error_at(path), Contains("ends in the middle of a variable"));
+  }
+}
+
 TEST_CASE("a damaged MAT-file is an error of one line, whatever libmatio does with it") {
   const TemporaryFolder folder;
   const auto path = folder / "a.mat";

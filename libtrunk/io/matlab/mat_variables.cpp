@@ -3,7 +3,11 @@
 #include <matio.h>
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 #include <cstring>
+#include <filesystem>
+#include <fstream>
 #include <memory>
 
 #include "errors/input_error.hpp"
@@ -146,10 +150,40 @@ std::string read_packed(const std::string& path, std::size_t most_values) {
   return packed(content);
 }
 
+/// A version 5 MAT-file is a header of 128 bytes and elements, each with its size in front (MathWorks,
+/// "MAT-File Format"). libmatio takes what a cut one lacks for zeros, which then look like a signal.
+void require_whole(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  const auto read = [&](std::streamoff at, auto& into) {
+    file.seekg(at);
+    return static_cast<bool>(file.read(reinterpret_cast<char*>(&into), sizeof into));
+  };
+  std::array<char, 4> version_and_order{};
+  if (!read(124, version_and_order)) return;
+  const bool native = version_and_order[2] == 'I' && version_and_order[3] == 'M';
+  const bool swapped = version_and_order[2] == 'M' && version_and_order[3] == 'I';
+  const char major = version_and_order[native ? 1 : 0];
+  if ((!native && !swapped) || major != 1) return;  // 1 is version 5; 2 is HDF5, which tells by itself
+  std::error_code unknown;
+  const auto size = static_cast<std::uintmax_t>(std::filesystem::file_size(path, unknown));
+  if (unknown) return;
+  for (std::uintmax_t at = 128; at < size;) {
+    std::array<std::uint32_t, 2> tag{};  // type, bytes
+    const bool complete = size - at >= sizeof tag && read(static_cast<std::streamoff>(at), tag);
+    const std::uint32_t bytes = swapped ? __builtin_bswap32(tag[1]) : tag[1];
+    if (!complete || bytes > size - at - sizeof tag)
+      throw InputError(
+          path.string(), 0,
+          "the file ends in the middle of a variable; expected a whole MAT-file; copy or save it again");
+    at += sizeof tag + bytes;
+  }
+}
+
 }  // namespace
 
 MatContent read_mat_variables(const std::filesystem::path& path, std::size_t most_values) {
   const std::string name = path.string();
+  require_whole(path);
   const auto bytes = run_apart([&] { return read_packed(name, most_values); },
                                sizeof(double) * most_values + (std::size_t{64} << 20));
   if (!bytes)

@@ -1,0 +1,81 @@
+#include <catch2/catch.hpp>
+
+#include "problem/objective.hpp"
+#include "support/trunks.hpp"
+
+using namespace trunk;
+
+namespace {
+
+/// A coarse healthy breath and a measured curve that it does not meet.
+struct Case {
+  Scenario scenario = test::shipped("healthy");
+  Trunk trunk = make_trunk(scenario);
+  Target target;
+  Ledger ledger;
+
+  Case() {
+    scenario.time.dt_s = 3e-3;
+    for (int i = 0; i <= 30; ++i) target.time_s.push_back(0.15 * i);
+    for (const double t : target.time_s) target.delta_v.push_back(400e-6 * std::sin(M_PI * t / 4.5));
+    target.delta_v[7] += 200e-6;  // an outlier
+  }
+  SearchSpace space(const std::vector<std::string>& names) const {
+    return SearchSpace(names, {scenario.parameters, scenario.activation}, {},
+                       {{"k_elasticity", 5000.0, 0.3}});
+  }
+};
+
+/// The largest difference of the two, over the largest of the second.
+double apart(const Slopes& exact, const Slopes& differences) {
+  REQUIRE(exact);
+  REQUIRE(differences);
+  REQUIRE(exact->rows() == differences->rows());
+  REQUIRE(exact->cols() == differences->cols());
+  return (*exact - *differences).cwiseAbs().maxCoeff() / differences->cwiseAbs().maxCoeff();
+}
+
+}  // namespace
+
+TEST_CASE("The exact slopes of an objective are those of central differences", "[unit][fit][slow]") {
+  Case c;
+  const std::vector<std::string> names = {"k_elasticity", "k_muscle",        "damping",
+                                          "onset",        "fast_fall_level", "shape_rise_3"};
+  const SearchSpace space = c.space(names);
+  Objective objective(c.trunk, c.scenario.time, space, c.target, c.ledger);
+  for (const Loss loss : {Loss::squares, Loss::huber, Loss::student}) {
+    objective.charge(loss, 1.5);
+    const LeastSquares problem = objective.problem();
+    REQUIRE(problem.exact_slopes);
+    // The corners of the activation leave the difference an error of first order.
+    CHECK(apart(problem.exact_slopes(space.start()), jacobian(problem, space.start(), 1e-5)) < 2e-4);
+    const LeastSquares part = with_fixed(problem, space.start(), {0, 3});
+    CHECK(apart(part.exact_slopes(space.start()({0, 3})), jacobian(part, space.start()({0, 3}), 1e-5)) <
+          2e-4);
+  }
+}
+
+TEST_CASE("The exact slope of a tidal volume is that of the curve where it is highest", "[unit][fit][slow]") {
+  Case c;
+  c.target = {{}, {400e-6}, {}};
+  const SearchSpace space({"k_muscle"}, {c.scenario.parameters, c.scenario.activation});
+  Objective objective(c.trunk, c.scenario.time, space, c.target, c.ledger);
+  const LeastSquares problem = objective.problem();
+  CHECK(apart(problem.exact_slopes(space.start()), jacobian(problem, space.start(), 1e-4)) < 1e-5);
+}
+
+TEST_CASE("Slopes are simulated once and kept in the ledger; where the model fails there are none",
+          "[unit][fit][slow]") {
+  Case c;
+  const SearchSpace space = c.space({"k_elasticity", "k_muscle"});
+  Objective objective(c.trunk, c.scenario.time, space, c.target, c.ledger);
+  const LeastSquares problem = objective.problem();
+  const Slopes first = problem.exact_slopes(space.start());
+  const std::size_t simulated = objective.simulated();
+  CHECK(*problem.exact_slopes(space.start()) == *first);
+  CHECK(objective.simulated() == simulated);
+
+  Eigen::VectorXd hopeless = space.start();
+  hopeless[1] = std::log(0.9);  // turns the trunk inside out
+  CHECK_FALSE(problem.exact_slopes(hopeless));
+}
