@@ -28,7 +28,8 @@ struct State {
   struct Contact {
     Mask<S> touching;
     Mask<S> sticking;  // held by friction
-    S press{0.0};  // m, how far inside the surface put the particle back: dt^2 / (m + dt c) times the force
+    S press{0.0};  // with friction: m, how far inside the surface put the particle back: dt^2 / (m + dt c)
+                   // times the force
   };
   std::vector<Contact> contact;  // [supports]
   S multiplier{0.0};             // of the volume constraint

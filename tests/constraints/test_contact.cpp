@@ -44,7 +44,7 @@ Vec3d tilted(double angle) {
 }  // namespace
 
 TEST_CASE("A particle pressed on a surface stays on it and pushes with its weight", "[unit][constraints]") {
-  const Model model = on_surface(0.0, {0, 0, -g});
+  const Model model = on_surface(0.5, {0, 0, -g});
   const State<double> state = after(model, 0.1);
   CHECK(norm(state.position[0] - model.rest[0]) < 1e-16);
   CHECK(state.contact[0].touching);
