@@ -3,7 +3,7 @@
 # Builds and runs the program, and reads its files for the plots and tables of quickstart.
 runtime_packages=(g++ cmake ninja-build pkg-config git
   libeigen3-dev libnlopt-dev libgsl-dev libhdf5-dev libsqlite3-dev libssl-dev
-  libcli11-dev libfmt-dev nlohmann-json3-dev libtomlplusplus-dev libpugixml-dev libmatio-dev libedf-dev
+  libcli11-dev libfmt-dev nlohmann-json3-dev libtomlplusplus-dev libpugixml-dev libmatio-dev libedf-dev zlib1g-dev
   python3 python3-h5py python3-matplotlib python3-numpy)
 
 # Also needed by the tests.

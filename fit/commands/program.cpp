@@ -54,6 +54,7 @@ int trunk::run_program(int argc, char** argv) {
   trunk::add_validate(app, common, run);
   trunk::add_inspect(app, common, run);
   trunk::add_export(app, common, run);
+  trunk::add_report(app, common, run);
   try {
     app.parse(argc, argv);
     const trunk::Exit exit = run();
