@@ -6,10 +6,11 @@ import { h } from './dom.js';
 import { colour, onPaper, onTheme } from './theme.js';
 import { numberText, unitText } from './words.js';
 
-const paperWidth = 660;
+const paperWidth = 325; // CSS pixels: two beside each other on A4
 const all = [];
 const styles = [undefined, [8, 4], [2, 3], [10, 3, 2, 3]];
 
+const marks = ['solid', 'dashed', 'dotted', 'double'];
 const font = (size) => `${size}px system-ui, sans-serif`;
 
 function axis(label, size) {
@@ -53,7 +54,12 @@ const grown = (low, high) => {
 function clockLine(plot, clock) {
   const line = h('div', { class: 'now', 'aria-hidden': 'true' });
   plot.over.append(line);
-  const place = () => (line.style.transform = `translateX(${plot.valToPos(clock.time, 'x')}px)`);
+  const times = plot.data[0];
+  const places = times.map((_, i) => i);
+  const place = () => {
+    line.style.transform = `translateX(${plot.valToPos(clock.time, 'x')}px)`;
+    if (!(plot.cursor.left >= 0)) plot.setLegend({ idx: Math.round(sampleAt(times, places, clock.time)) }, false);
+  };
   clock.onTime(place);
   plot.over.addEventListener('click', (event) => {
     if (plot.select.width > 2) return;
@@ -79,17 +85,18 @@ export function chart(parent, { title, unit, series, clock, height = 210, zero =
     scales: { x: { time: false }, y: { range: (_, low, high) => grown(zero ? Math.min(0, low) : low, zero ? Math.max(0, high) : high) } },
     axes: [axis('time (s)', 34), axis(unitText(unit) || 'share, 0 to 1', 52)],
     cursor: { sync: clock ? { key: 'time' } : undefined, y: false, points: { size: 6 } },
-    legend: { live: true },
+    legend: { live: true, markers: { width: 3, dash: (_, i) => marks[series[i - 1]?.style ?? 0], stroke: (_, i) => `var(--${series[i - 1]?.colour})`, fill: () => 'none' } },
     bands,
     series: [
       { label: 'time', value: (_, v) => (v === null || v === undefined ? '–' : `${numberText(v, 4)} s`) },
       ...series.map((s) => ({
         label: s.label,
+        class: s.unnamed ? 'unnamed' : undefined,
         stroke: () => colour(s.colour),
         width: s.width ?? 2,
         dash: styles[s.style ?? 0],
         points: { show: false },
-        value: (_, v) => (v === null || v === undefined ? '–' : `${numberText(v, 5)} ${unitText(unit)}`),
+        value: (_, v) => (v === null || v === undefined ? '–' : `${numberText(v, 4)} ${unitText(unit)}`),
       })),
     ],
   };

@@ -32,7 +32,7 @@ export function ticks([low, high], count = 5, log = false) {
 }
 
 /** A frame with axes. draw(inner, x, y) fills it. */
-export function frame({ title, summary, x: xAxis, y: yAxis, width = 460, height = 300, wide }, draw) {
+export function frame({ title, summary, x: xAxis, y: yAxis, width = 460, height = 300, wide, large }, draw) {
   const [left, right, top, bottom] = [66, 14, 10, 46];
   const x = scale(xAxis.range, [left, width - right], xAxis.log);
   const y = scale(yAxis.range, [height - bottom, top], yAxis.log);
@@ -61,7 +61,7 @@ export function frame({ title, summary, x: xAxis, y: yAxis, width = 460, height 
     labels,
   );
   draw(inner, x, y);
-  return h('figure', { class: wide ? 'drawing wide' : 'drawing' }, h('figcaption', null, title), picture);
+  return h('figure', { class: `drawing${wide ? ' wide' : ''}${large ? ' large' : ''}` }, h('figcaption', null, title), picture);
 }
 
 export function path(points, attributes) {

@@ -62,7 +62,7 @@ function parameters(parent, fit) {
   section(
     parent,
     'What was estimated',
-    table(['parameter', 'best', 'standard error', '95 % interval', 'unit', '', ''], rows, { caption: 'Parameters with 95 % intervals (each drawn on its own scale)', numeric: [1, 2, 3] }),
+    table(['parameter', 'best', 'standard error', '95 % interval', 'unit', 'best and interval', ''], rows, { caption: 'Parameters with 95 % intervals (each drawn on its own scale)', numeric: [1, 2, 3] }),
     h('details', null, h('summary', null, 'All statistics'), table(['', 'value', 'unit'], statistics, { numeric: [1] })),
   );
 }
@@ -79,7 +79,7 @@ function curves(parent, fit, clock) {
   const series = [];
   if (measured.sigma) {
     const edge = (sign) => ({ time: measured.time, values: measured.measured.map((v, i) => v + sign * measured.sigma[i]), colour: 'band-edge', width: 0.5 });
-    series.push({ ...edge(1), label: 'measured + 1 SD', band: 'band' }, { ...edge(-1), label: 'measured − 1 SD' });
+    series.push({ ...edge(1), label: 'measured + 1 SD', band: 'band', unnamed: true }, { ...edge(-1), label: 'measured − 1 SD', unnamed: true });
   }
   series.push({ label: 'measured', time: measured.time, values: measured.measured, colour: 'grey' }, { label: 'model', time: result.time, values: result.dV_fit, colour: 'blue', style: 1 });
   if (result.dV_baseline) series.push({ label: 'one compartment', time: result.time, values: result.dV_baseline, colour: 'green', style: 2 });
@@ -87,6 +87,7 @@ function curves(parent, fit, clock) {
   const residuals = [{ label: 'model − measured', time: result.time, values: result.residual, colour: 'orange' }];
   if (result.dV_baseline) residuals.push({ label: 'one compartment − measured', time: result.time, values: result.dV_baseline.map((v, i) => v - measured.measured[i]), colour: 'green', style: 2 });
   chart(grid, { title: 'Residual of ΔV', unit: measured.unit, series: residuals, clock, zero: true, height: 260 });
+  if (measured.sigma) box.append(note('Shaded: measured ± 1 standard deviation over the breaths.'));
   if (!result.dV_baseline) box.append(note('The curve of the one-compartment model is not in this file; its residual stands in the verdict.'));
 }
 
@@ -124,7 +125,8 @@ function likelihood(parent, fit) {
   box.append(drawings);
   if (fit.surface) drawings.append(surfaceDrawing(fit.surface, fit));
   else box.append(note('The likelihood surface is not in this file: it is made where two parameters are free (fit --surface N forces it).'));
-  for (const profile of fit.profiles) drawings.append(profileDrawing(profile));
+  const profiles = h('div', { class: 'drawings profiles' }, fit.profiles.map(profileDrawing));
+  box.append(profiles);
   if (fit.profiles.length === 0) box.append(note('Profiles are not in this file (fit --profiles forces them).'));
   else {
     box.append(

@@ -8,7 +8,7 @@ import { h, note, section, table } from './dom.js';
 import { fitSections } from './fit_section.js';
 import { runSection } from './run_section.js';
 import { sweepSections } from './sweep_section.js';
-import { followTheme, themeSwitch } from './theme.js';
+import { followTheme, onPaper, onTheme, themeSwitch } from './theme.js';
 import { words } from './words.js';
 
 const kinds = { run: 'simulated breath', fit: 'fit', sweep: 'sweep' };
@@ -45,15 +45,16 @@ function clockOf(runs) {
 
 function breathing(parent, files) {
   const many = files.length > 1;
-  const same = many && files[0].title === files[1].title;
-  const runs = files.map((file) => ({ run: file.run, label: many ? (same || !file.title ? file.name : file.title) : undefined }));
+  const stems = files.map((file) => file.name.replace(/\.h5$/, ''));
+  const same = many && stems[0] === stems[1];
+  const runs = files.map((file, i) => ({ run: file.run, label: many ? (same ? ['first', 'second'][i] : stems[i]) : undefined }));
   const clock = clockOf(files.map((file) => file.run));
   for (const file of files) {
     if (!file.fit) continue;
     if (many) parent.append(h('h2', { class: 'of' }, file.name));
     fitSections(parent, file, clock);
   }
-  runSection(parent, runs, clock);
+  runSection(parent, runs, clock, many || !files[0].fit?.measured?.measured); // a lone fit shows its volume already
   clock.seek(peakTime(runs[0].run));
   return clock;
 }
@@ -61,11 +62,13 @@ function breathing(parent, files) {
 function origin(parent, files) {
   for (const file of files) {
     const rows = Object.entries(file.provenance ?? {}).map(([name, text]) => [words(name), h('code', null, text)]);
+    const made = h('details', null, h('summary', null, 'Program, libraries, inputs'), table(['', ''], rows));
+    onTheme(() => (made.open = onPaper()));
     const text = file.run?.scenario || file.sweep?.sweep_toml;
     section(
       parent,
       files.length > 1 ? `Where ${file.name} comes from` : 'Where this comes from',
-      rows.length > 0 ? h('details', null, h('summary', null, 'Program, libraries, inputs'), table(['', ''], rows)) : note('This file does not say.'),
+      rows.length > 0 ? made : note('This file does not say.'),
       text ? h('details', null, h('summary', null, file.sweep ? 'The sweep' : 'The scenario'), h('pre', { tabindex: 0 }, text)) : null,
     );
   }

@@ -41,10 +41,10 @@ function volumeCharts(parent, runs, clock) {
   if (residual.length > 0) chart(parent, { title: 'Residual of ΔV', unit: 'ml', series: residual, clock, zero: true });
 }
 
-function curves(parent, runs, clock) {
+function curves(parent, runs, clock, withVolume) {
   const grid = h('div', { class: 'charts' });
   parent.append(grid);
-  volumeCharts(grid, runs, clock);
+  if (withVolume) volumeCharts(grid, runs, clock);
   const one = (title, unit, series) => {
     if (series.length > 0) chart(grid, { title, unit, series, clock, zero: true });
   };
@@ -64,36 +64,42 @@ function curves(parent, runs, clock) {
     if (run.curves?.every > 1) parent.append(note(`${label ? `${label}: ` : ''}Every ${run.curves.every}th sample of the curves is drawn.`));
 }
 
+/** Heights of the activation's shape are 1 unless they were estimated. */
+const isPlain = (name, values) => name.startsWith('shape_') && values.every((v) => v === 1);
+
 /** Names that any of the lists has, in their order. */
 const namesIn = (lists) => [...new Map(lists.flat().map((v) => [v.name, v.unit]))];
 
 function comparison(runs, member, caption) {
   const lists = runs.map(({ run }) => run[member]);
-  const names = namesIn(lists);
+  const all = namesIn(lists);
+  const names = all.filter(([name]) => !isPlain(name, lists.map((list) => numberNamed(list, name))));
   if (names.length === 0) return note(`There are no ${member} in this file.`);
   const heads = runs.length > 1 ? ['', ...runs.map(({ label }) => label), 'difference', ''] : ['', 'value', 'unit'];
   const rows = names.map(([name, unit]) => {
     const values = lists.map((list) => numberNamed(list, name));
-    const cells = values.map((v) => numberText(v, 5));
-    if (values.length > 1) cells.push(numberText(values[1] - values[0], 4));
+    const cells = values.map((v) => numberText(v, 4));
+    if (values.length > 1) cells.push(numberText(values[1] - values[0], 3));
     return [nameText(name), ...cells, unitText(unit)];
   });
-  return table(heads, rows, { caption, numeric: runs.length > 1 ? [1, 2, 3] : [1] });
+  const shown = table(heads, rows, { caption, numeric: runs.length > 1 ? [1, 2, 3] : [1] });
+  if (names.length < all.length) shown.append(note('All heights of the activation’s shape (shape_…) are 1.'));
+  return shown;
 }
 
 /** runs: [{run, label}], one or two. */
-export function runSection(parent, runs, clock) {
+export function runSection(parent, runs, clock, withVolume = true) {
   const one = runs.length === 1;
   const status = runs.map(({ run, label }) => (run.status && run.status !== 'completed' ? note(`${label ?? 'This run'} did not complete: ${run.status.replaceAll('_', ' ')}.`) : null));
   const stage = section(parent, one ? 'The trunk as it breathes' : 'The trunks as they breathe', ...status);
   trunkViews(stage, runs, clock);
   const bar = player(clock);
   if (clock.duration > 0) stage.append(bar);
-  curves(section(parent, 'Over time'), runs, clock);
+  curves(section(parent, 'Over time'), runs, clock, withVolume);
   section(
     parent,
     one ? 'Measures and parameters' : 'Measures and parameters, side by side',
-    h('div', { class: 'tables' }, comparison(runs, 'measures', 'Measures from end-expiration to end-inspiration'), comparison(runs, 'parameters', 'Parameters')),
+    h('div', { class: one ? 'tables' : 'tables wide' }, comparison(runs, 'measures', 'Measures from end-expiration to end-inspiration'), comparison(runs, 'parameters', 'Parameters')),
   );
 }
 

@@ -6,7 +6,7 @@ import { frame, key, path, roomy, scale, ticks } from './drawing.js';
 import { nameText, numberText, shortName, unitText, withUnit, words } from './words.js';
 
 const inks = ['blue', 'orange', 'green', 'purple', 'grey'];
-const dashes = ['solid', 'dashed', 'dotted', 'mixed', 'solid'];
+const dashes = ['solid', 'wide', 'dashed', 'dotted', 'mixed']; // so that lines on each other are seen, as of mirror images
 const mostCells = 60;
 
 /** What was varied carries the key of a scenario, with a dot; what came out does not. */
@@ -35,12 +35,13 @@ function cellsOf(sweep, varied) {
 /** One small plot; all have the same axes. */
 function cell(sweep, { values, runs }, varied, look, range) {
   const { time, samples, values: volumes } = sweep.curves;
-  const [width, height, left, bottom] = [170, 112, 34, 18];
+  const [width, height, left, bottom] = [170, 116, 34, 18];
   const x = scale([time[0], time[samples - 1]], [left, width - 4]);
   const y = scale(range, [height - bottom, 6]);
   const picture = svg('svg', { viewBox: `0 0 ${width} ${height}`, 'aria-hidden': 'true' });
   for (const v of ticks(range, 3)) picture.append(svg('line', { class: 'rule', x1: left, x2: width, y1: y(v), y2: y(v) }), svg('text', { x: left - 4, y: y(v) + 3, 'text-anchor': 'end' }, numberText(v, 3)));
   for (const v of ticks(x.domain, 3)) picture.append(svg('text', { x: x(v), y: height - 5, 'text-anchor': 'middle' }, `${numberText(v, 3)}`));
+  picture.append(svg('text', { x: 2, y: 10 }, 'ml'), svg('text', { x: width - 2, y: height - 5, 'text-anchor': 'end' }, 's'));
   const failed = [];
   for (const run of runs) {
     const curve = volumes.subarray(run * samples, (run + 1) * samples);
@@ -48,12 +49,13 @@ function cell(sweep, { values, runs }, varied, look, range) {
     const { ink, dash } = look.get(sweep.scenario?.[run]) ?? { ink: 'blue', dash: 'solid' };
     picture.append(path(Array.from(curve, (v, i) => [x(time[i]), y(v)]), { class: `line ${ink} ${dash}` }));
   }
-  const name = varied.map((c, i) => `${shortName(c.name)} ${numberText(values[i], 4)} ${unitText(c.unit)}`.trim()).join(', ');
+  const settings = varied.map((c, i) => `${shortName(c.name)} ${numberText(values[i], 4)} ${unitText(c.unit)}`.trim());
+  const name = settings.join(', ');
   const peaks = runs.map((run) => `${words(sweep.scenario?.[run] ?? '')} ${numberText(extremes(volumes.subarray(run * samples, (run + 1) * samples))[1], 4)} ml`);
   return h(
     'figure',
     { class: 'cell', role: 'img', 'aria-label': `${name}: largest ΔV ${peaks.join(', ')}` },
-    h('figcaption', null, name || 'all runs'),
+    h('figcaption', null, settings.length > 0 ? settings.map((s) => h('span', null, s)) : 'all runs'),
     picture,
     failed.length > 0 ? h('p', { class: 'failed' }, `failed: ${failed.map((s) => words(String(s))).join(', ')}`) : null,
   );

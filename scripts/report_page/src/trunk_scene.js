@@ -25,6 +25,17 @@ function largestMoves(positions, width) {
   return { distance, rise };
 }
 
+/** What makes points round. */
+function disc() {
+  const canvas = document.createElement('canvas');
+  canvas.width = canvas.height = 32;
+  const context = canvas.getContext('2d');
+  context.fillStyle = '#ffffff';
+  context.arc(16, 16, 15, 0, 2 * Math.PI);
+  context.fill();
+  return new three.CanvasTexture(canvas);
+}
+
 export class TrunkScene {
   constructor(run) {
     const { trajectory, motion } = run;
@@ -90,7 +101,7 @@ export class TrunkScene {
     if (!this.motion || this.motion.support_particle.length === 0) return;
     const geometry = new three.BufferGeometry();
     geometry.setAttribute('position', new three.BufferAttribute(new Float32Array(3 * this.motion.support_particle.length), 3));
-    this.contact = new three.Points(geometry, new three.PointsMaterial({ size: 8, sizeAttenuation: false }));
+    this.contact = new three.Points(geometry, new three.PointsMaterial({ size: 10, sizeAttenuation: false, map: disc(), alphaTest: 0.5 }));
     this.contact.frustumCulled = false;
     this.contact.renderOrder = 3;
     this.scene.add(this.contact);
@@ -125,7 +136,7 @@ export class TrunkScene {
 
   resize(width, height) {
     this.size = [width, height];
-    const across = (1.08 * this.radius) / Math.min(1, width / height);
+    const across = (0.98 * this.radius) / Math.min(1, width / height);
     Object.assign(this.camera, { left: (-across * width) / height, right: (across * width) / height, top: across, bottom: -across });
     this.camera.updateProjectionMatrix();
     this.renderer.setSize(width, height, false);

@@ -3,7 +3,7 @@
 import { sizeColour, signColour, gradient } from './colours.js';
 import { curveNamed, extremes, sampleAt } from './data.js';
 import { h, note } from './dom.js';
-import { onTheme } from './theme.js';
+import { onPaper, onTheme } from './theme.js';
 import { TrunkScene } from './trunk_scene.js';
 import { fixed, unitText } from './words.js';
 
@@ -99,7 +99,7 @@ function overlay(scene, stage) {
   return () => {
     const { centre, radius } = scene;
     for (const [label, sign] of [[right, 1], [left, -1]]) {
-      const [x, y] = scene.pixel([centre.x + sign * radius * 0.72, centre.y, centre.z - radius * 0.9]);
+      const [x, y] = scene.pixel([centre.x + sign * radius * 0.6, centre.y, centre.z + radius * 0.8]);
       label.style.transform = `translate(${x}px, ${y}px) translate(-50%, -50%)`;
     }
     const mm = scene.mmPerPixel();
@@ -151,6 +151,14 @@ export function trunkViews(parent, runs, clock) {
   }
 }
 
+/** Browsers print a picture drawn in two dimensions as it is, one in three not always. */
+function copyForPaper(canvas, stage) {
+  stage.querySelector('.paper')?.remove();
+  const copy = h('canvas', { class: 'paper', width: canvas.width, height: canvas.height });
+  copy.getContext('2d').drawImage(canvas, 0, 0);
+  stage.append(copy);
+}
+
 function start(parent, views3d, clock) {
   const scenes = views3d.map(({ scene }) => scene);
   if (scenes.length === 0) return;
@@ -169,12 +177,18 @@ function start(parent, views3d, clock) {
       continue;
     }
     orbitKeys(canvas, [scene]);
-    new ResizeObserver(() => {
-      scene.resize(stage.clientWidth, stage.clientHeight);
+    const fit = () => {
+      if (onPaper()) scene.resize(scenes.length > 1 ? 325 : 660, 380);
+      else scene.resize(stage.clientWidth, stage.clientHeight);
       label();
-    }).observe(stage);
+      if (onPaper()) copyForPaper(canvas, stage);
+    };
+    new ResizeObserver(fit).observe(stage);
     clock.onTime((time) => scene.show(time));
-    onTheme(() => scene.paint());
+    onTheme(() => {
+      scene.paint();
+      if (scene.size) fit();
+    });
   }
   const toggles = checkboxes(scenes[0]);
   for (const box of toggles.querySelectorAll('input'))
