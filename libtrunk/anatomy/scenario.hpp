@@ -23,12 +23,15 @@ struct Scenario {
   Parameters<double> parameters{4000.0, 30.0, 20.0, 1.0};
   BreathActivation<double> activation;
   TimeGrid time;
-  double frame_every_s = 0.01;  // between stored trajectory frames
+  double frame_every_s = 0.01;  // between stored trajectory frames; 0: none are stored
   Vec3d gravity;                // m/s2; 0: the rest shape was imaged under gravity, which is thus in it
   std::vector<RegionLoad> loads;
   std::vector<RigidPart> rigid;
   PiecewiseLinear abdominal_volume;  // fraction of rest; empty: constant
 };
+
+/// Steps between stored frames; 0: none are stored.
+int frame_stride(const Scenario& scenario);
 
 /// The trunk's particles before anything is done to them. Throws InputError.
 TrunkMesh mesh_of(const Scenario& scenario);

@@ -160,8 +160,8 @@ std::vector<Key> make_keys() {
           "time.dt_ms", "ms", ms, 1e-4, 1000, [](Scenario& s) -> double& { return s.time.dt_s; },
           "time step"),
       number(
-          "time.frame_every_ms", "ms", ms, 1e-4, 1e6, [](Scenario& s) -> double& { return s.frame_every_s; },
-          "between stored frames"),
+          "time.frame_every_ms", "ms", ms, 0, 1e6, [](Scenario& s) -> double& { return s.frame_every_s; },
+          "between stored frames; 0: none, and curves every 10 ms"),
   };
 }
 
