@@ -5,121 +5,112 @@ namespace {
 
 using Json = Packed::Json;
 
-Json measured_contents(const StoredFile& file, Packed& packed) {
-  const StoredArray time = file.array("problem/time");
-  if (time.values.empty()) return nullptr;
-  const std::size_t size = time.values.size();
-  const auto column = [&](const char* path) -> Json {
-    const StoredArray values = file.array(path);
-    return values.values.empty() ? Json(nullptr) : packed.add(of_size(size, values, path).values);
+std::vector<double> in_ml(std::vector<double> volumes_m3) {
+  for (double& v : volumes_m3) v *= 1e6;
+  return volumes_m3;
+}
+
+Json measured_contents(const FitRecord& fit, Packed& packed) {
+  const std::size_t size = fit.measured_time_s.size();
+  if (size == 0) return nullptr;
+  return {{"time", packed.add(fit.measured_time_s)},
+          {"measured", packed_if_any(in_ml(fit.measured_m3), size, "problem/measured", packed)},
+          {"sigma", packed_if_any(in_ml(fit.sigma_m3), size, "problem/sigma", packed)}};
+}
+
+Json result_contents(const FitRecord& fit, Packed& packed) {
+  const std::size_t size = fit.result_time_s.size();
+  const auto curve = [&](const std::vector<double>& m3, const char* name) {
+    return packed_if_any(in_ml(m3), size, name, packed);
   };
-  return {{"time", packed.add(time.values)},
-          {"unit", file.attribute("problem/measured", "units")},
-          {"measured", column("problem/measured")},
-          {"sigma", column("problem/sigma")}};
+  return {{"verdict", fit.verdict},
+          {"identifiable", fit.identifiable},
+          {"stop_reason", fit.stop_reason},
+          {"algorithm", fit.algorithm},
+          {"cross_check",
+           {{"first", fit.cross_check.first},
+            {"second", fit.cross_check.second},
+            {"agree", fit.cross_check.agree}}},
+          {"notes", fit.notes},
+          {"statistics", json_table(fit.statistics)},
+          {"time", packed.add(fit.result_time_s)},
+          {"dV_fit", curve(fit.dV_fit_m3, "result/dV_fit")},
+          {"residual", curve(fit.residual_m3, "result/residual")},
+          {"dV_baseline", curve(fit.dV_baseline_m3, "result/dV_baseline")}};
 }
 
-/// Time and volumes of the fit; one-compartment's too where they are stored.
-Json result_contents(const StoredFile& file, Packed& packed) {
-  Json result{{"statistics", numbers_in(file, "result/statistics")}};
-  for (const char* name : {"verdict", "stop_reason", "algorithm"})
-    result[name] = file.attribute("result", name);
-  const StoredArray time = file.array("result/time");
-  if (time.values.empty()) return result;
-  result["time"] = packed.add(time.values);
-  for (const char* name : {"dV_fit", "residual", "dV_baseline"}) {
-    const std::string path = std::string("result/") + name;
-    if (file.has(path)) result[name] = packed.add(of_size(time.values.size(), file.array(path), path).values);
+Json parameter_contents(const FitRecord& fit) {
+  Json list = Json::array();
+  for (const FitRecord::Parameter& p : fit.parameters) {
+    list.push_back({{"name", p.name},
+                    {"unit", p.unit},
+                    {"best", number_or_null(p.best)},
+                    {"stderr", number_or_null(p.stderr_)},
+                    {"lower95", number_or_null(p.lower95)},
+                    {"upper95", number_or_null(p.upper95)},
+                    {"at_bound", p.at_bound},
+                    {"free", p.free},
+                    {"beside", p.beside}});
   }
-  return result;
+  return list;
 }
 
-Json parameter_contents(const StoredFile& file) {
-  const std::vector<std::string> names = file.texts("parameters/name"), units = file.texts("parameters/unit");
-  Json table{{"name", names}, {"unit", units}};
-  for (const char* column :
-       {"initial", "lower", "upper", "best", "stderr", "lower95", "upper95", "at_bound", "free", "beside"}) {
-    const std::string path = std::string("parameters/") + column;
-    if (file.has(path)) table[column] = numbers(of_size(names.size(), file.array(path), path).values);
-  }
-  return table;
+Json surface_contents(const FitRecord::Surface& s, Packed& packed) {
+  if (s.deviance.empty()) return nullptr;
+  const auto axis = [&](int i) -> Json {
+    return {{"name", s.name[i]},
+            {"unit", s.unit[i]},
+            {"values", json_list(s.axis[i])},
+            {"region95", json_list({s.lower95[i], s.upper95[i]})}};
+  };
+  return {{"first", axis(0)},
+          {"second", axis(1)},
+          {"deviance", packed.add(s.deviance)},
+          {"threshold95", number_or_null(s.threshold95)},
+          {"closed", s.closed}};
 }
 
-Json surface_contents(const StoredFile& file, Packed& packed) {
-  if (!file.has("surface/deviance")) return nullptr;
-  Json surface;
-  std::size_t size = 1;
-  for (const char* axis : {"first", "second"}) {
-    const StoredArray values = file.array(std::string("surface/") + axis);
-    surface[axis] = {{"name", values.meaning}, {"unit", values.unit}, {"values", numbers(values.values)}};
-    size *= values.values.size();
-  }
-  const char* path = "surface/deviance";
-  surface["deviance"] = packed.add(of_size(size, file.array(path), path).values);
-  surface["threshold95"] = numbers(file.array("surface/threshold95").values);
-  return surface;
-}
-
-Json profile_contents(const StoredFile& file) {
+Json profile_contents(const FitRecord& fit) {
   Json profiles = Json::array();
-  for (const std::string& name : file.groups("profiles")) {
-    const std::string at = "profiles/" + name + "/";
-    const StoredArray value = file.array(at + "value");
-    Json profile{{"name", name}, {"unit", value.unit}, {"value", numbers(value.values)}};
-    for (const char* column : {"deviance", "at_bound"})
-      profile[column] = numbers(of_size(value.values.size(), file.array(at + column), at + column).values);
-    for (const char* end : {"lower95", "upper95"}) profile[end] = numbers(file.array(at + end).values);
-    profiles.push_back(std::move(profile));
-  }
+  for (const FitRecord::Profile& p : fit.profiles)
+    profiles.push_back({{"name", p.name},
+                        {"unit", p.unit},
+                        {"value", json_list(p.value)},
+                        {"deviance", json_list(p.deviance)},
+                        {"at_bound", p.at_bound},
+                        {"interval95", json_list({p.lower95, p.upper95})}});
   return profiles;
 }
 
-Json convergence_contents(const StoredFile& file, Packed& packed) {
-  const StoredArray objective = file.array("evaluations/objective");
-  if (objective.values.empty()) return nullptr;
-  Json convergence{{"objective", packed.add(objective.values)},
-                   {"parameter", file.texts("evaluations/parameter")},
-                   {"unit", file.texts("evaluations/unit")}};
-  const StoredArray x = file.array("evaluations/x");
-  const std::size_t columns = convergence["parameter"].size();
-  convergence["x"] = packed.add(of_size(objective.values.size() * columns, x, "evaluations/x").values);
-  return convergence;
-}
-
-Json breath_contents(const StoredFile& file) {
-  const std::vector<std::string> status = file.texts("breaths/status");
-  if (status.empty()) return nullptr;
-  Json breaths{{"status", status}, {"columns", Json::array()}};
-  for (const std::string& name : file.datasets("breaths")) {
-    const StoredArray column = file.array("breaths/" + name);
-    if (name == "fitted_breath" || column.unit.empty()) continue;
-    breaths["columns"].push_back({{"name", name},
-                                  {"unit", column.unit},
-                                  {"values", numbers(of_size(status.size(), column, name).values)}});
+Json breath_contents(const FitRecord& fit) {
+  if (fit.breath_status.empty()) return nullptr;
+  Json breaths{{"status", fit.breath_status}, {"columns", Json::array()}};
+  for (const NamedColumn& c : fit.breaths) {
+    std::vector<double> values = c.values;
+    values.resize(fit.breath_status.size(), 0.0);
+    breaths["columns"].push_back({{"name", c.name}, {"unit", c.unit}, {"values", json_list(values)}});
   }
   return breaths;
 }
 
-Json prediction_contents(const StoredFile& file) {
+Json prediction_contents(const FitRecord& fit) {
   Json predictions = Json::array();
-  for (const std::string& name : file.groups("predictions"))
-    predictions.push_back({{"name", name},
-                           {"scenario", file.attribute("predictions/" + name, "scenario")},
-                           {"numbers", numbers_in(file, "predictions/" + name)}});
+  for (const FitRecord::Prediction& p : fit.predictions)
+    predictions.push_back({{"name", p.name}, {"scenario", p.scenario}, {"numbers", json_table(p.numbers)}});
   return predictions;
 }
 
 }  // namespace
 
-Json fit_contents(const StoredFile& file, Packed& packed) {
-  return {{"measured", measured_contents(file, packed)},
-          {"result", result_contents(file, packed)},
-          {"parameters", parameter_contents(file)},
-          {"surface", surface_contents(file, packed)},
-          {"profiles", profile_contents(file)},
-          {"convergence", convergence_contents(file, packed)},
-          {"breaths", breath_contents(file)},
-          {"predictions", prediction_contents(file)}};
+Json fit_contents(const FitRecord& fit, Packed& packed) {
+  return {{"measured", measured_contents(fit, packed)},
+          {"result", result_contents(fit, packed)},
+          {"parameters", parameter_contents(fit)},
+          {"surface", surface_contents(fit.surface, packed)},
+          {"profiles", profile_contents(fit)},
+          {"objective", packed.add(fit.evaluation_objective)},
+          {"breaths", breath_contents(fit)},
+          {"predictions", prediction_contents(fit)}};
 }
 
 }  // namespace trunk

@@ -7,57 +7,50 @@ namespace {
 
 using Json = Packed::Json;
 
-constexpr std::size_t most_rows = 5000, most_columns = 200, most_samples = 500'000;
+constexpr std::size_t most_rows = 5000, most_columns = 200, most_samples = 500'000, most_text = 300;
 
-/// A name of 100 bytes says enough in a table.
-Json texts(const StoredFile& file, const std::string& path, std::size_t rows) {
+/// A few hundred bytes of each say enough in a table.
+Json text_column(const std::vector<std::string>& texts, std::size_t rows) {
+  if (texts.empty()) return nullptr;
   Json list = Json::array();
-  std::vector<std::string> all = file.texts(path);
-  if (all.empty()) return nullptr;
-  all.resize(rows);
-  for (const std::string& text : all) list.push_back(text.substr(0, 300));
+  for (std::size_t i = 0; i < rows; ++i) list.push_back(texts[i].substr(0, most_text));
   return list;
 }
 
 /// ΔV of the rows shown, every so many samples.
-Json curve_table(const StoredFile& file, std::size_t runs, std::size_t rows, Packed& packed) {
-  const StoredArray time = file.array("curves/time"), curves = file.array("curves/dV");
-  const std::size_t samples = time.values.size();
-  if (samples == 0 || curves.values.empty()) return nullptr;
-  of_size(runs * samples, curves, "curves/dV");
+Json curve_table(const SweepRecord& sweep, std::size_t rows, Packed& packed) {
+  const std::size_t samples = sweep.curve_time_s.size();
+  if (samples == 0 || rows == 0) return nullptr;
   const std::size_t every = std::max<std::size_t>(1, (rows * samples + most_samples - 1) / most_samples);
   std::vector<double> moments, volumes;
-  for (std::size_t i = 0; i < samples; i += every) moments.push_back(time.values[i]);
+  for (std::size_t i = 0; i < samples; i += every) moments.push_back(sweep.curve_time_s[i]);
   for (std::size_t row = 0; row < rows; ++row)
-    for (std::size_t i = 0; i < samples; i += every) volumes.push_back(curves.values[row * samples + i]);
+    for (std::size_t i = 0; i < samples; i += every) volumes.push_back(sweep.curve_dV_ml[row * samples + i]);
   return {{"every", every},
           {"samples", moments.size()},
           {"time", packed.add(moments)},
-          {"unit", curves.unit},
           {"values", packed.add_single(volumes)}};
 }
 
 }  // namespace
 
-Json sweep_contents(const StoredFile& file, Packed& packed) {
-  const std::size_t runs = file.texts("table/status").size(), rows = std::min(runs, most_rows);
-  Json sweep{{"runs", runs}, {"rows", rows}, {"sweep_toml", file.text("sweep_toml")}};
-  for (const char* column : {"scenario", "status", "error"})
-    sweep[column] = texts(file, std::string("table/") + column, rows);
-  sweep["columns"] = Json::array();
-  for (const std::string& name : file.datasets("table")) {
-    if (name == "run" || sweep["columns"].size() == most_columns) continue;
-    if (file.attribute("table/" + name, "units").empty()) continue;
-    StoredArray column = file.array("table/" + name);
-    of_size(runs, column, "table/" + name);
-    column.values.resize(rows);
-    sweep["columns"].push_back({{"name", name},
-                                {"unit", column.unit},
-                                {"meaning", column.meaning},
-                                {"values", numbers(column.values)}});
+Json sweep_contents(const SweepRecord& sweep, Packed& packed) {
+  const std::size_t runs = sweep.status.size(), rows = std::min(runs, most_rows);
+  Json json{{"runs", runs},
+            {"rows", rows},
+            {"sweep_toml", sweep.sweep_toml},
+            {"scenario", text_column(sweep.scenario, rows)},
+            {"status", text_column(sweep.status, rows)},
+            {"error", text_column(sweep.error, rows)},
+            {"columns", Json::array()}};
+  for (const NamedColumn& column : sweep.columns) {
+    if (json["columns"].size() == most_columns) break;
+    const std::vector<double> shown(column.values.begin(),
+                                    column.values.begin() + static_cast<std::ptrdiff_t>(rows));
+    json["columns"].push_back({{"name", column.name}, {"unit", column.unit}, {"values", json_list(shown)}});
   }
-  sweep["curves"] = curve_table(file, runs, rows, packed);
-  return sweep;
+  json["curves"] = curve_table(sweep, rows, packed);
+  return json;
 }
 
 }  // namespace trunk

@@ -1,7 +1,7 @@
 // Makes page.html, which `trunk report` fills: one file with styles, program and licences.
 
 import { createHash } from 'node:crypto';
-import { readFileSync, writeFileSync } from 'node:fs';
+import { readFileSync, readdirSync, writeFileSync } from 'node:fs';
 import { build } from 'esbuild';
 
 const { outputFiles } = await build({
@@ -27,7 +27,12 @@ const version = (name) => JSON.parse(readFileSync(`node_modules/${name}/package.
 const licence = (name) => `${name} ${version(name)}\n\n${readFileSync(`node_modules/${name}/LICENSE`, 'utf8').trim()}`;
 const licences = ['three', 'uplot'].map(licence).join('\n\n').replaceAll('--', '- -');
 
-const parts = { policy, licences, style, script };
-const page = readFileSync('page.in.html', 'utf8').replace(/@(policy|licences|style|script)@/g, (_, name) => parts[name]);
+// What the page was made of, for a test: as sha256sum lists these files.
+const sha256 = (bytes) => createHash('sha256').update(bytes).digest('hex');
+const sources = ['build.mjs', 'package-lock.json', 'package.json', 'page.in.html', ...readdirSync('src').sort().map((f) => `src/${f}`)];
+const made = sha256(sources.map((f) => `${sha256(readFileSync(f))}  ${f}\n`).join(''));
+
+const parts = { policy, licences, made, style, script };
+const page = readFileSync('page.in.html', 'utf8').replace(/@(policy|licences|made|style|script)@/g, (_, name) => parts[name]);
 writeFileSync('page.html', page);
 console.log(`page.html: ${(page.length / 1000).toFixed(0)} kB`);

@@ -47,8 +47,10 @@ export function edgesOf(corners) {
   return [...edges.values()].flat();
 }
 
-/** [{course: [particle, …], activity}]: along the muscle's lines where a fibre begins and ends on one. */
-export function fibreCourses(trajectory, motion) {
+/** [{course: [particle, …], activity 0 to 1}]: along the muscle's lines where a fibre begins and ends on one. */
+export function fibreCourses(trajectory) {
+  const { fibre_activity: activity } = trajectory;
+  const strongest = activity ? Math.max(...activity) || 1 : 1;
   const { each, particles } = trajectory.muscle_lines;
   const lines = [];
   for (let i = 0; each > 0 && i < particles.length; i += each) lines.push(Array.from(particles.slice(i, i + each)));
@@ -58,7 +60,7 @@ export function fibreCourses(trajectory, motion) {
     const [from, to] = [ends[f], ends[f + 1]];
     const line = lines.find((l) => l.includes(from) && l.includes(to));
     const [a, b] = line ? [line.indexOf(from), line.indexOf(to)].sort((i, j) => i - j) : [];
-    courses.push({ course: line ? line.slice(a, b + 1) : [from, to], activity: motion ? motion.fibre_activity[f / 2] : 1 });
+    courses.push({ course: line ? line.slice(a, b + 1) : [from, to], activity: activity ? activity[f / 2] / strongest : 1 });
   }
   return courses;
 }

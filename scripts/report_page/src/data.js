@@ -64,6 +64,7 @@ export function sampleAt(times, values, time) {
 }
 
 export const curveNamed = (run, name) => run.curves?.series.find((s) => s.name === name);
+export const frameSeries = (run, name) => run.frames?.series.find((s) => s.name === name);
 
 export function numberNamed(list, name) {
   const found = list?.find((v) => v.name === name);

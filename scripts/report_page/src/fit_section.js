@@ -10,8 +10,21 @@ import { nameText, numberText, quantity, shortName, unitText, withUnit, words } 
 function verdict(parent, fit, status) {
   const { result } = fit;
   const text = result.verdict || 'This file holds no verdict.';
-  const facts = [status && `Status: ${words(status)}`, result.algorithm && `search: ${words(result.algorithm)}`, result.stop_reason].filter(Boolean);
-  section(parent, 'Verdict', h('p', { class: 'verdict' }, text), h('p', null, `${facts.join('; ')}.`), baseline(result.statistics));
+  const { first, second, agree } = result.cross_check;
+  const facts = [
+    status && `Status: ${words(status)}`,
+    result.algorithm && `search: ${words(result.algorithm)}`,
+    result.stop_reason,
+    second && `${first} and ${second} ${agree ? 'agree' : 'do not agree'}`,
+  ].filter(Boolean);
+  section(
+    parent,
+    'Verdict',
+    h('p', { class: result.identifiable ? 'verdict' : 'verdict warned' }, text),
+    h('p', null, `${facts.join('; ')}.`),
+    ...result.notes.map((text) => note(text)),
+    baseline(result.statistics),
+  );
 }
 
 function baseline(statistics) {
@@ -28,12 +41,9 @@ function baseline(statistics) {
   return h('div', { class: 'baseline' }, h('h3', null, 'Residual (RMS, of the tidal volume) against the baseline'), h('div', { class: 'readouts' }, row('this trunk', ours, 'blue'), row('one-compartment model', theirs, 'grey')), better ? h('p', null, better) : null);
 }
 
-function fitted(parameters) {
-  const rows = parameters.name.map((name, i) => Object.fromEntries([['name', name], ...Object.keys(parameters).filter((k) => k !== 'name').map((k) => [k, parameters[k]?.[i]])]));
-  return rows.filter((p) => p.free || p.beside);
-}
+const fitted = (parameters) => parameters.filter((p) => p.free || p.beside);
 
-/** The interval within the bounds of the search where they are near, else around itself; the point is the best value. */
+/** The best value in its interval, drawn. */
 function interval(p) {
   const { best, lower95: low, upper95: high } = p;
   if (![best, low, high].every(Number.isFinite)) return 'interval not known';
@@ -83,17 +93,17 @@ function curves(parent, fit, clock) {
   }
   series.push({ label: 'measured', time: measured.time, values: measured.measured, colour: 'grey' }, { label: 'model', time: result.time, values: result.dV_fit, colour: 'blue', style: 1 });
   if (result.dV_baseline) series.push({ label: 'one compartment', time: result.time, values: result.dV_baseline, colour: 'green', style: 2 });
-  chart(grid, { title: 'Lung volume above end-expiration, ΔV', unit: measured.unit, series, clock, zero: true, height: 260 });
+  chart(grid, { title: 'Lung volume above end-expiration, ΔV', unit: 'ml', series, clock, zero: true, height: 260 });
   const residuals = [{ label: 'model − measured', time: result.time, values: result.residual, colour: 'orange' }];
   if (result.dV_baseline) residuals.push({ label: 'one compartment − measured', time: result.time, values: result.dV_baseline.map((v, i) => v - measured.measured[i]), colour: 'green', style: 2 });
-  chart(grid, { title: 'Residual of ΔV', unit: measured.unit, series: residuals, clock, zero: true, height: 260 });
+  chart(grid, { title: 'Residual of ΔV', unit: 'ml', series: residuals, clock, zero: true, height: 260 });
   if (measured.sigma) box.append(note('Shaded: measured ± 1 standard deviation over the breaths.'));
   if (!result.dV_baseline) box.append(note('The curve of the one-compartment model is not in this file; its residual stands in the verdict.'));
 }
 
 function profileDrawing(profile) {
   const { value, deviance } = profile;
-  const [low, high] = [profile.lower95[0], profile.upper95[0]];
+  const [low, high] = profile.interval95;
   const drawn = value.map((v, i) => [v, deviance[i]]).filter(([v, d]) => v !== null && d !== null);
   const threshold = 3.841;
   const ends = [low, high].map((v) => (Number.isFinite(v) ? numberText(v, 4) : 'not closed'));
@@ -142,11 +152,11 @@ function likelihood(parent, fit) {
 
 function convergence(parent, fit) {
   const box = section(parent, 'Convergence');
-  if (!fit.convergence) {
+  if (fit.objective.length === 0) {
     box.append(note('The evaluations of the search are not in this file.'));
     return;
   }
-  const { objective } = fit.convergence;
+  const { objective } = fit;
   const tried = Array.from(objective, (v, i) => [i + 1, v]);
   const done = tried.filter(([, v]) => Number.isFinite(v) && v > 0);
   if (done.length === 0) {

@@ -38,7 +38,7 @@ function peakTime({ curves }) {
 }
 
 function clockOf(runs) {
-  const times = runs.map((run) => run.trajectory?.time ?? run.motion?.time ?? run.curves?.time).filter((t) => t?.length > 1);
+  const times = runs.map((run) => run.trajectory?.time ?? run.curves?.time).filter((t) => t?.length > 1);
   if (times.length === 0) return new Clock(0, 0.01);
   return new Clock(Math.max(...times.map((t) => t[t.length - 1])), times[0][1] - times[0][0]);
 }

@@ -38,7 +38,7 @@ export function player(clock) {
       clock.seek(slider.valueAsNumber);
     },
   });
-  const time = h('output', { class: 'time' });
+  const time = h('output', { class: 'time', 'aria-live': 'off' });
   const speed = h(
     'select',
     { 'aria-label': 'speed', onchange: () => (clock.speed = Number(speed.value)) },

@@ -1,11 +1,11 @@
 // One simulated breath, or two laid over each other: the trunk, curves over time, measures, parameters.
 
 import { chart } from './charts.js';
-import { curveNamed, numberNamed } from './data.js';
+import { curveNamed, frameSeries, numberNamed } from './data.js';
 import { h, note, section, table } from './dom.js';
 import { player } from './player.js';
 import { trunkViews } from './trunk_view.js';
-import { nameText, numberText, unitText } from './words.js';
+import { nameText, numberText, unitText, words } from './words.js';
 
 const inks = ['blue', 'orange', 'green', 'purple'];
 
@@ -16,17 +16,20 @@ const overlaid = (runs, name, label) =>
     return curve ? [{ label: of ? `${of}${label ? `, ${label}` : ''}` : label ?? nameText(name), time: run.curves.time, values: curve.values, colour: inks[i], style: i }] : [];
   });
 
+/** What was sampled with the frames: of one run the members by colour, of two the runs by colour, the members by style. */
 function moved(runs, members) {
   return runs.flatMap(({ run, label: of }, i) =>
-    run.motion
-      ? members.map(({ name, label, ink, style }) => ({
-          label: of ? `${of}, ${label}` : label,
-          time: run.motion.time,
-          values: run.motion[name],
-          colour: members.length > 1 && runs.length === 1 ? ink : inks[i],
-          style: members.length > 1 ? style : i,
-        }))
-      : [],
+    members.flatMap(({ name, label, ink, style }) => {
+      const series = frameSeries(run, name);
+      if (!series) return [];
+      return [{
+        label: of ? `${of}, ${label}` : label,
+        time: run.frames.time,
+        values: series.values,
+        colour: members.length > 1 && runs.length === 1 ? ink : inks[i],
+        style: members.length > 1 ? style : i,
+      }];
+    }),
   );
 }
 
@@ -51,14 +54,15 @@ function curves(parent, runs, clock, withVolume) {
   one('Muscle activation', '', overlaid(runs, 'activation', 'activation'));
   one('Abdominal pressure above rest', 'cmH2O', overlaid(runs, 'abdominal_pressure', 'pressure'));
   one('Zone of apposition: it shortens by ΔL, widens by ΔR', 'mm', moved(runs, [
-    { name: 'delta_l_mm', label: 'ΔL', ink: 'blue', style: 0 },
-    { name: 'delta_r_mm', label: 'ΔR', ink: 'green', style: 2 },
+    { name: 'dL', label: 'ΔL', ink: 'blue', style: 0 },
+    { name: 'dR', label: 'ΔR', ink: 'green', style: 2 },
   ]));
-  one('Domes flatten by ΔH', 'mm', moved(runs, [{ name: 'delta_h_mm', label: 'ΔH', ink: 'blue', style: 0 }]));
+  one('Domes flatten by ΔH', 'mm', moved(runs, [{ name: 'dH', label: 'ΔH', ink: 'blue', style: 0 }]));
   one('Descent of the domes (up is descent)', 'mm', moved(runs, [
-    { name: 'excursion_right_mm', label: 'right dome', ink: 'blue', style: 0 },
-    { name: 'excursion_left_mm', label: 'left dome', ink: 'orange', style: 1 },
+    { name: 'excursion_right', label: 'right dome', ink: 'blue', style: 0 },
+    { name: 'excursion_left', label: 'left dome', ink: 'orange', style: 1 },
   ]));
+  for (const { run, label } of runs) if (!run.frames) parent.append(note(`${label ?? 'This file'} does not say how ΔL, ΔH, ΔR and the domes change over time.`));
   if (!runs.some(({ run }) => run.curves)) parent.append(note('There are no curves in this file.'));
   for (const { run, label } of runs)
     if (run.curves?.every > 1) parent.append(note(`${label ? `${label}: ` : ''}Every ${run.curves.every}th sample of the curves is drawn.`));
@@ -90,7 +94,7 @@ function comparison(runs, member, caption) {
 /** runs: [{run, label}], one or two. */
 export function runSection(parent, runs, clock, withVolume = true) {
   const one = runs.length === 1;
-  const status = runs.map(({ run, label }) => (run.status && run.status !== 'completed' ? note(`${label ?? 'This run'} did not complete: ${run.status.replaceAll('_', ' ')}.`) : null));
+  const status = runs.map(({ run, label }) => (run.status && run.status !== 'completed' ? note(`${label ?? 'This run'} did not complete: ${run.message || words(run.status)}`) : null));
   const stage = section(parent, one ? 'The trunk as it breathes' : 'The trunks as they breathe', ...status);
   trunkViews(stage, runs, clock);
   const bar = player(clock);

@@ -3,7 +3,7 @@
 import { css, sizeColour } from './colours.js';
 import { h, note, svg } from './dom.js';
 import { frame, key, path } from './drawing.js';
-import { numberText, withUnit } from './words.js';
+import { numberText, quantity, withUnit } from './words.js';
 
 const finer = 8; // steps between grid points
 
@@ -58,10 +58,14 @@ function picture(grid, shade) {
 }
 
 function bestOf(name, fit) {
-  const at = fit.parameters.name.indexOf(name);
-  if (at >= 0) return fit.parameters.best[at];
-  const [muscle, elasticity] = ['k_muscle', 'k_elasticity'].map((n) => fit.parameters.best[fit.parameters.name.indexOf(n)]);
-  return name === 'k_muscle/k_elasticity' ? muscle / elasticity : NaN;
+  const best = (n) => fit.parameters.find((p) => p.name === n)?.best ?? NaN;
+  return name === 'k_muscle/k_elasticity' ? best('k_muscle') / best('k_elasticity') : best(name);
+}
+
+/** What the joint region spans. */
+function regionText(surface) {
+  const spans = [surface.first, surface.second].map(({ name, unit, region95 }) => `${name} ${numberText(region95[0])} to ${quantity(region95[1], unit, 4)}`);
+  return `The joint region spans ${spans.join(', ')}${surface.closed ? '' : '; it reaches the edge of the grid'}.`;
 }
 
 /** Whether a grid is even in its logarithm rather than in itself. */
@@ -76,7 +80,7 @@ const lowest = (values) => values.reduce((low, v, j) => (v < values[low] ? j : l
 
 export function surfaceDrawing(surface, fit) {
   const axes = [surface.first.values, surface.second.values];
-  const level = surface.threshold95[0] ?? 5.991;
+  const level = surface.threshold95 ?? 5.991;
   const most = 6 * level; // beyond this all is far
   const coarse = axes[0].map((_, i) => Array.from(surface.deviance.subarray(i * axes[1].length, (i + 1) * axes[1].length)));
   if (axes.some((a) => a.length < 3) || !coarse.flat().every(Number.isFinite))
@@ -120,6 +124,7 @@ export function surfaceDrawing(surface, fit) {
       { label: `ridge: the best ${surface.second.name} for each ${surface.first.name}`, colour: 'ridge', style: 'dashed' },
       { label: 'best', colour: 'best', style: 'dot' },
     ]),
+    h('p', { class: 'small' }, regionText(surface)),
     h('p', { class: 'small' }, `Cubic between ${axes[0].length} × ${axes[1].length} simulated points.`),
   );
   return figure;

@@ -17,13 +17,14 @@ function looks(sweep) {
   return new Map(scenarios.map((s, i) => [s, { ink: inks[i % inks.length], dash: dashes[i % dashes.length] }]));
 }
 
-/** Runs that differ in their scenario only: [{values, runs}], in the order of the values. */
+/** Runs that differ in their scenario only: [{values, subject, runs}], in the order of the values. */
 function cellsOf(sweep, varied) {
   const cells = new Map();
   for (let run = 0; run < sweep.rows; ++run) {
     const values = varied.map((c) => c.values[run]);
-    const id = values.join();
-    if (!cells.has(id)) cells.set(id, { values, runs: [] });
+    const subject = sweep.subject?.[run];
+    const id = [subject, ...values].join();
+    if (!cells.has(id)) cells.set(id, { values, subject, runs: [] });
     cells.get(id).runs.push(run);
   }
   return [...cells.values()].sort((a, b) => {
@@ -33,7 +34,7 @@ function cellsOf(sweep, varied) {
 }
 
 /** One small plot; all have the same axes. */
-function cell(sweep, { values, runs }, varied, look, range) {
+function cell(sweep, { values, subject, runs }, varied, look, range) {
   const { time, samples, values: volumes } = sweep.curves;
   const [width, height, left, bottom] = [170, 116, 34, 18];
   const x = scale([time[0], time[samples - 1]], [left, width - 4]);
@@ -50,6 +51,7 @@ function cell(sweep, { values, runs }, varied, look, range) {
     picture.append(path(Array.from(curve, (v, i) => [x(time[i]), y(v)]), { class: `line ${ink} ${dash}` }));
   }
   const settings = varied.map((c, i) => `${shortName(c.name)} ${numberText(values[i], 4)} ${unitText(c.unit)}`.trim());
+  if (subject) settings.unshift(subject);
   const name = settings.join(', ');
   const peaks = runs.map((run) => `${words(sweep.scenario?.[run] ?? '')} ${numberText(extremes(volumes.subarray(run * samples, (run + 1) * samples))[1], 4)} ml`);
   return h(
@@ -137,7 +139,7 @@ function drawPoints(inner, sweep, varied, look, x, y, sx, sy) {
   const lines = new Map();
   for (let run = 0; run < sweep.rows; ++run) {
     if (y.values[run] === null || x.values[run] === null) continue;
-    const id = [sweep.scenario?.[run], ...others.map((c) => c.values[run])].join();
+    const id = [sweep.scenario?.[run], sweep.subject?.[run], ...others.map((c) => c.values[run])].join();
     if (!lines.has(id)) lines.set(id, []);
     lines.get(id).push(run);
   }
@@ -157,6 +159,7 @@ function sortable(parent, sweep) {
   const columns = [
     { head: 'run', value: (run) => run, text: (run) => String(run), numeric: true },
     { head: 'scenario', value: (run) => sweep.scenario?.[run] ?? '', text: (run) => sweep.scenario?.[run] ?? '' },
+    ...(sweep.subject ? [{ head: 'subject', value: (run) => sweep.subject[run], text: (run) => sweep.subject[run] }] : []),
     ...sweep.columns.map((c) => ({
       head: withUnit(isVaried(c) ? shortName(c.name) : words(shortName(c.name)), c.unit),
       title: `${nameText(c.name)}`,

@@ -38,9 +38,10 @@ function disc() {
 
 export class TrunkScene {
   constructor(run) {
-    const { trajectory, motion } = run;
-    Object.assign(this, { run, trajectory, motion, width: 3 * trajectory.particles, colouring: 'anatomy' });
+    const { trajectory } = run;
+    Object.assign(this, { run, trajectory, width: 3 * trajectory.particles, colouring: 'anatomy' });
     this.all = positionsMm(trajectory);
+    this.places = Float64Array.from(trajectory.time, (_, i) => i);
     this.rest = this.all.slice(0, this.width);
     this.moves = largestMoves(this.all, this.width);
     this.limits = { ...this.moves };
@@ -85,7 +86,7 @@ export class TrunkScene {
   }
 
   addFibres() {
-    this.courses = fibreCourses(this.trajectory, this.motion);
+    this.courses = fibreCourses(this.trajectory);
     if (this.courses.length === 0) return;
     this.segments = this.courses.flatMap(({ course, activity }) => course.slice(1).map((to, i) => ({ from: course[i], to, activity })));
     const geometry = new LineSegmentsGeometry();
@@ -98,9 +99,10 @@ export class TrunkScene {
   }
 
   addContact() {
-    if (!this.motion || this.motion.support_particle.length === 0) return;
+    const { contact } = this.trajectory;
+    if (!contact || contact.particles.length === 0) return;
     const geometry = new three.BufferGeometry();
-    geometry.setAttribute('position', new three.BufferAttribute(new Float32Array(3 * this.motion.support_particle.length), 3));
+    geometry.setAttribute('position', new three.BufferAttribute(new Float32Array(3 * contact.particles.length), 3));
     this.contact = new three.Points(geometry, new three.PointsMaterial({ size: 10, sizeAttenuation: false, map: disc(), alphaTest: 0.5 }));
     this.contact.frustumCulled = false;
     this.contact.renderOrder = 3;
@@ -226,7 +228,7 @@ export class TrunkScene {
 
   movePositions(time) {
     const times = this.trajectory.time;
-    const place = sampleAt(times, Float64Array.from(times, (_, i) => i), time);
+    const place = sampleAt(times, this.places, time);
     const first = Math.min(Math.floor(place), Math.max(times.length - 2, 0));
     const share = place - first;
     const [a, b] = [first, Math.min(first + 1, times.length - 1)].map((frame) => this.width * frame);
@@ -266,20 +268,19 @@ export class TrunkScene {
     instanceColorStart.data.needsUpdate = true;
   }
 
-  /** Indices of supports whose particle lies against the ribs. */
+  /** Particles against the ribs at the nearest frame; at the first no step has been taken that could tell. */
   touching(time) {
-    if (!this.motion) return [];
-    const { touching, support_particle: particles, time: times } = this.motion;
-    const frame = Math.round(sampleAt(times, Float64Array.from(times, (_, i) => i), time));
-    return Array.from(particles.keys()).filter((s) => touching[frame * particles.length + s]);
+    if (!this.contact) return [];
+    const { particles, touching } = this.trajectory.contact;
+    const frame = Math.max(Math.round(sampleAt(this.trajectory.time, this.places, time)), this.places.length > 1 ? 1 : 0);
+    return Array.from(particles).filter((_, s) => touching[frame * particles.length + s]);
   }
 
   moveContact(time) {
     if (!this.contact) return;
     const { position } = this.contact.geometry.attributes;
     const touching = this.touching(time);
-    touching.forEach((support, at) => {
-      const i = this.motion.support_particle[support];
+    touching.forEach((i, at) => {
       for (let k = 0; k < 3; ++k) position.array[3 * at + k] = this.now.array[3 * i + k];
     });
     this.contact.geometry.setDrawRange(0, touching.length);

@@ -69,7 +69,7 @@ function readouts(run, scene, clock) {
     if (!curve) continue;
     const [, most] = extremes(curve.values);
     const bar = h('span', { class: 'fill' });
-    const value = h('output', { 'data-readout': name });
+    const value = h('output', { 'data-readout': name, 'aria-live': 'off' });
     rows.push(h('div', { class: `readout readout-${name}` }, h('span', null, label), value, h('span', { class: 'gauge', 'aria-hidden': 'true' }, bar)));
     clock.onTime((time) => {
       const now = sampleAt(run.curves.time, curve.values, time);
@@ -77,10 +77,10 @@ function readouts(run, scene, clock) {
       bar.style.width = `${Math.max(0, Math.min(100, (100 * now) / (most || 1)))}%`;
     });
   }
-  if (run.motion && run.motion.support_particle.length > 0) {
-    const of = run.motion.support_particle.length;
+  if (scene.contact) {
+    const of = run.trajectory.contact.particles.length;
     const bar = h('span', { class: 'fill' });
-    const value = h('output', { 'data-readout': 'contact' });
+    const value = h('output', { 'data-readout': 'contact', 'aria-live': 'off' });
     rows.push(h('div', { class: 'readout readout-contact' }, h('span', null, 'against the ribs'), value, h('span', { class: 'gauge', 'aria-hidden': 'true' }, bar)));
     clock.onTime((time) => {
       const touching = scene.touching(time).length;
@@ -134,7 +134,7 @@ export function trunkViews(parent, runs, clock) {
     const scene = new TrunkScene(run);
     const canvas = h('canvas', {
       tabindex: 0,
-      role: 'img',
+      role: 'application',
       class: 'trunk',
       'aria-label': `The trunk${label ? ` of ${label}` : ''} in three dimensions, ${run.trajectory.particles} particles; drag or use the arrow keys to turn it, + and − to zoom`,
     });
@@ -147,7 +147,7 @@ export function trunkViews(parent, runs, clock) {
   start(parent, scenes, clock);
   for (const { run, label } of runs) {
     if (run.trajectory?.every > 1) parent.append(note(`${label ? `${label}: ` : ''}Every ${run.trajectory.every}th stored frame is shown.`));
-    for (const text of run.notes) parent.append(note(text));
+    if (run.trajectory && !run.trajectory.contact) parent.append(note(`${label ?? 'This file'} says nothing of contact with the ribs.`));
   }
 }
 
