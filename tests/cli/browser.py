@@ -68,12 +68,13 @@ class Browser:
         return [e["params"]["request"]["url"] for e in events if e["method"] == "Network.requestWillBeSent"]
 
     def screenshot(self, path, whole=False):
+        """Of the window, or of the whole page, whose player then stands at its end."""
+        options = {"format": "png"}
         if whole:
-            height = self.run("return document.documentElement.scrollHeight")
-            width = self.run("return document.documentElement.clientWidth")
-            clip = {"clip": {"x": 0, "y": 0, "width": width, "height": height, "scale": 1}}
-        picture = self.command("Page.captureScreenshot", {"format": "png", **({"captureBeyondViewport": True, **clip} if whole else {})})
-        path.write_bytes(base64.b64decode(picture["data"]))
+            self.run("document.querySelector('.player')?.style.setProperty('position', 'static')")
+            width, height = self.run("const {clientWidth, scrollHeight} = document.documentElement; return [clientWidth, scrollHeight]")
+            options |= {"captureBeyondViewport": True, "clip": {"x": 0, "y": 0, "width": width, "height": height, "scale": 1}}
+        path.write_bytes(base64.b64decode(self.command("Page.captureScreenshot", options)["data"]))
 
     def close(self):
         try:

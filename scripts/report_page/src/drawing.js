@@ -33,7 +33,7 @@ export function ticks([low, high], count = 5, log = false) {
 
 /** A frame with axes. draw(inner, x, y) fills it. */
 export function frame({ title, summary, x: xAxis, y: yAxis, width = 460, height = 300, wide, large }, draw) {
-  const [left, right, top, bottom] = [66, 14, 10, 46];
+  const [left, right, top, bottom] = [76, 14, 10, 46];
   const x = scale(xAxis.range, [left, width - right], xAxis.log);
   const y = scale(yAxis.range, [height - bottom, top], yAxis.log);
   const picture = svg('svg', { viewBox: `0 0 ${width} ${height}`, role: 'img', 'aria-label': `${title}. ${summary ?? ''}` });
@@ -50,7 +50,7 @@ export function frame({ title, summary, x: xAxis, y: yAxis, width = 460, height 
   const middle = (top + height - bottom) / 2;
   labels.append(
     svg('text', { class: 'axis', x: (left + width - right) / 2, y: height - 8, 'text-anchor': 'middle' }, xAxis.label),
-    svg('text', { class: 'axis', transform: `translate(15 ${middle}) rotate(-90)`, 'text-anchor': 'middle' }, yAxis.label),
+    svg('text', { class: 'axis', transform: `translate(14 ${middle}) rotate(-90)`, 'text-anchor': 'middle' }, yAxis.label),
   );
   const clip = `clip-${++frames}`;
   const inner = svg('g', { 'clip-path': `url(#${clip})` });

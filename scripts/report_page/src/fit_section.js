@@ -131,12 +131,13 @@ function profileDrawing(profile) {
 
 function likelihood(parent, fit) {
   const box = section(parent, 'Likelihood');
-  const drawings = h('div', { class: 'drawings' });
+  const few = fit.surface && fit.profiles.length <= 2;
+  const drawings = h('div', { class: few ? 'drawings beside-each-other' : 'drawings' });
   box.append(drawings);
   if (fit.surface) drawings.append(surfaceDrawing(fit.surface, fit));
   else box.append(note('The likelihood surface is not in this file: it is made where two parameters are free (fit --surface N forces it).'));
   const profiles = h('div', { class: 'drawings profiles' }, fit.profiles.map(profileDrawing));
-  box.append(profiles);
+  (few ? drawings : box).append(profiles);
   if (fit.profiles.length === 0) box.append(note('Profiles are not in this file (fit --profiles forces them).'));
   else {
     box.append(

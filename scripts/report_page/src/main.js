@@ -6,6 +6,7 @@ import { Clock } from './clock.js';
 import { curveNamed, loadContents } from './data.js';
 import { h, note, section, table } from './dom.js';
 import { fitSections } from './fit_section.js';
+import { player } from './player.js';
 import { runSection } from './run_section.js';
 import { sweepSections } from './sweep_section.js';
 import { followTheme, onPaper, onTheme, themeSwitch } from './theme.js';
@@ -55,7 +56,6 @@ function breathing(parent, files) {
     fitSections(parent, file, clock);
   }
   runSection(parent, runs, clock, many || !files[0].fit?.measured?.measured); // a lone fit shows its volume already
-  clock.seek(peakTime(runs[0].run));
   return clock;
 }
 
@@ -81,9 +81,11 @@ async function start() {
   document.body.append(header(files), main);
   for (const file of files) if (file.sweep) sweepSections(main, file);
   const runs = files.filter((file) => file.run);
-  if (runs.length > 0) breathing(main, runs);
+  const clock = runs.length > 0 ? breathing(main, runs) : null;
   origin(main, files);
-  main.append(h('footer', null, 'Made by trunk report. This page needs no network. Drawn with three.js and uPlot (MIT licence, in the source of this page).'));
+  if (clock?.duration > 0) main.append(player(clock)); // last, so that it stays in sight all along
+  clock?.seek(peakTime(runs[0].run));
+  document.body.append(h('footer', null, 'Made by trunk report. This page needs no network. Drawn with three.js and uPlot (MIT licence, in the source of this page).'));
   document.documentElement.dataset.ready = 'yes';
 }
 

@@ -3,7 +3,6 @@
 import { chart } from './charts.js';
 import { curveNamed, frameSeries, numberNamed } from './data.js';
 import { h, note, section, table } from './dom.js';
-import { player } from './player.js';
 import { trunkViews } from './trunk_view.js';
 import { nameText, numberText, unitText, words } from './words.js';
 
@@ -97,8 +96,6 @@ export function runSection(parent, runs, clock, withVolume = true) {
   const status = runs.map(({ run, label }) => (run.status && run.status !== 'completed' ? note(`${label ?? 'This run'} did not complete: ${run.message || words(run.status)}`) : null));
   const stage = section(parent, one ? 'The trunk as it breathes' : 'The trunks as they breathe', ...status);
   trunkViews(stage, runs, clock);
-  const bar = player(clock);
-  if (clock.duration > 0) stage.append(bar);
   curves(section(parent, 'Over time'), runs, clock, withVolume);
   section(
     parent,

@@ -139,12 +139,12 @@ export function trunkViews(parent, runs, clock) {
       'aria-label': `The trunk${label ? ` of ${label}` : ''} in three dimensions, ${run.trajectory.particles} particles; drag or use the arrow keys to turn it, + and − to zoom`,
     });
     const stage = h('div', { class: 'stage' }, canvas);
-    const figure = h('figure', { class: 'view' }, label ? h('figcaption', null, label) : null, stage, readouts(run, scene, clock));
+    const figure = h('figure', { class: 'view' }, label ? h('figcaption', null, label) : null, stage, h('div', { class: 'beside' }, readouts(run, scene, clock)));
     box.append(figure);
     scenes.push({ scene, canvas, stage });
   }
   parent.append(box);
-  start(parent, scenes, clock);
+  start(moving.length > 1 ? parent : box.querySelector('.beside') ?? parent, scenes, clock);
   for (const { run, label } of runs) {
     if (run.trajectory?.every > 1) parent.append(note(`${label ? `${label}: ` : ''}Every ${run.trajectory.every}th stored frame is shown.`));
     if (run.trajectory && !run.trajectory.contact) parent.append(note(`${label ?? 'This file'} says nothing of contact with the ribs.`));
