@@ -18,7 +18,7 @@ double number_of(const std::vector<NamedValue>& numbers, const std::string& name
 }
 
 Doubles to_m3(Doubles volumes_ml) {
-  for (double& v : volumes_ml) v *= 1e-6;
+  for (double& v : volumes_ml) v /= 1e6;
   return volumes_ml;
 }
 

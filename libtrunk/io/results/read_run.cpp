@@ -146,6 +146,10 @@ Provenance layout::read_provenance(hid_t root) {
   for (std::string line; std::getline(inputs, line);)
     if (const auto gap = line.find("  "); gap != std::string::npos)
       p.input_sha256.emplace_back(line.substr(gap + 2), line.substr(0, gap));
+  std::istringstream libraries(text("libraries"));
+  for (std::string line; std::getline(libraries, line);)
+    if (const auto gap = line.find(' '); gap != std::string::npos)
+      p.libraries.emplace_back(line.substr(0, gap), line.substr(gap + 1));
   return p;
 }
 

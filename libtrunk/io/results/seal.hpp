@@ -13,8 +13,8 @@ namespace trunk {
 /// it, and a program that changes the file drops it.
 std::string seal_of(std::span<const std::byte> hdf5);
 
-/// Throws InputError where the file is truncated or its seal is broken; a file without one passes. `path`
-/// must be a file that can be read.
+/// Throws InputError where the file is truncated, its seal is broken, or it is HDF5 that we never write. A
+/// file without a seal passes. `path` must be an HDF5 file that can be read.
 void require_intact(const std::filesystem::path& path);
 
 }  // namespace trunk
