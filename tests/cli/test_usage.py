@@ -5,7 +5,7 @@ import unittest
 
 from support import COARSE, HEALTHY, TrunkTest, trace
 
-COMMANDS = ("check", "simulate", "breaths", "fit", "sweep", "status", "validate", "inspect")
+COMMANDS = ("check", "simulate", "breaths", "fit", "sweep", "status", "validate", "inspect", "report")
 
 
 class Help(TrunkTest):
@@ -91,6 +91,7 @@ class Json(TrunkTest):
         yield "inspect", "r.h5"
         yield "inspect", "f.h5"
         yield "inspect", "d/sweep.h5"
+        yield "report", "r.h5", "-o", "r.html"
         yield "check", "--keys"
         yield "validate",
 
@@ -98,7 +99,7 @@ class Json(TrunkTest):
         for command in self.commands():
             with self.subTest(" ".join(command)):
                 self.assertRegex(self.succeeds(*command, codes=(0, 4))["schema"], rf"^trunk\.{command[0]}/\d+$")
-                again = (*command, "--force") if command[0] in ("simulate", "fit", "sweep") else command
+                again = (*command, "--force") if command[0] in ("simulate", "fit", "sweep", "report") else command
                 plain = self.trunk(*again)
                 self.assertIn(plain.code, (0, 4), str(plain))
                 self.assertNotRegex(plain.out, r"[{}]|\"schema\"")
