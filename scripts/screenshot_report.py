@@ -37,7 +37,7 @@ def main():
                    arguments.colour_by)
         window.driver.execute_async_script("requestAnimationFrame(() => requestAnimationFrame(arguments[0]))")
         window.screenshot(arguments.output, arguments.whole)
-        Image.open(arguments.output).quantize(128).save(arguments.output, optimize=True)  # a third of the size
+        Image.open(arguments.output).quantize(256).save(arguments.output, optimize=True)  # a third of the size
     finally:
         window.close()
 

@@ -59,6 +59,7 @@ export class TrunkScene {
   addSurfaces() {
     const rest = new three.BufferAttribute(this.rest, 3);
     this.surfaces = [];
+    const faint = Math.min(1, Math.sqrt(200 / this.trajectory.particles)); // fine meshes are not to be black
     for (const part of parts) {
       const corners = surfaces(this.trajectory).get(part.key);
       if (corners.length === 0) continue;
@@ -75,8 +76,8 @@ export class TrunkScene {
         edges.setAttribute('position', position);
         return new three.LineSegments(edges, new three.LineBasicMaterial({ transparent: true, opacity }));
       };
-      const edges = lines(this.now, part.through ? 0.35 : 0.5);
-      const ghost = lines(rest, 0.45);
+      const edges = lines(this.now, faint * (part.through ? 0.35 : 0.5));
+      const ghost = lines(rest, faint * 0.45);
       for (const object of [mesh, edges, ghost]) object.frustumCulled = false;
       this.scene.add(mesh, edges, ghost);
       this.surfaces.push({ ...part, mesh, edges, ghost });

@@ -61,13 +61,13 @@ const views = (scenes) =>
     ),
   );
 
-/** Volume, pressure, activation and contact at the time of the clock. */
-function readouts(run, scene, clock) {
+/** Volume, pressure, activation and contact at the time of the clock; gauges of all runs reach as far. */
+function readouts(run, runs, scene, clock) {
   const rows = [];
   for (const [name, label, decimals] of [['dV_model', 'ΔV', 0], ['abdominal_pressure', 'abdominal pressure', 2], ['activation', 'activation', 2]]) {
     const curve = curveNamed(run, name);
     if (!curve) continue;
-    const [, most] = extremes(curve.values);
+    const most = Math.max(...runs.map((r) => extremes(curveNamed(r.run, name)?.values ?? [0])[1]));
     const bar = h('span', { class: 'fill' });
     const value = h('output', { 'data-readout': name, 'aria-live': 'off' });
     rows.push(h('div', { class: `readout readout-${name}` }, h('span', null, label), value, h('span', { class: 'gauge', 'aria-hidden': 'true' }, bar)));
@@ -139,7 +139,7 @@ export function trunkViews(parent, runs, clock) {
       'aria-label': `The trunk${label ? ` of ${label}` : ''} in three dimensions, ${run.trajectory.particles} particles; drag or use the arrow keys to turn it, + and − to zoom`,
     });
     const stage = h('div', { class: 'stage' }, canvas);
-    const figure = h('figure', { class: 'view' }, label ? h('figcaption', null, label) : null, stage, h('div', { class: 'beside' }, readouts(run, scene, clock)));
+    const figure = h('figure', { class: 'view' }, label ? h('figcaption', null, label) : null, stage, h('div', { class: 'beside' }, readouts(run, runs, scene, clock)));
     box.append(figure);
     scenes.push({ scene, canvas, stage });
   }
