@@ -42,7 +42,7 @@ Json packed_from(const std::filesystem::path& path, Pack pack) {
 Json contents_of(const std::filesystem::path& path, const std::string& kind, std::size_t trajectory_bytes,
                  Packed& packed) {
   if (kind == "sweep") {
-    const SweepRecord sweep = read_sweep(path);
+    const StoredSweep sweep = read_sweep(path, most_sweep_rows);
     Json contents = heading(sweep.title, "", "", sweep.provenance);
     contents["sweep"] = sweep_contents(sweep, packed);
     return contents;

@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "report/packed.hpp"
+#include "results/read_sweep.hpp"
 #include "results/records.hpp"
 
 namespace trunk {
@@ -18,7 +19,8 @@ Packed::Json file_contents(const std::filesystem::path& path, std::size_t trajec
 /// The parts of it.
 Packed::Json run_contents(const RunRecord& run, std::size_t trajectory_bytes, Packed& packed);
 Packed::Json fit_contents(const FitRecord& fit, Packed& packed);
-Packed::Json sweep_contents(const SweepRecord& sweep, Packed& packed);
+inline constexpr std::size_t most_sweep_rows = 5000;
+Packed::Json sweep_contents(const StoredSweep& sweep, Packed& packed);
 
 /// NaN and infinity are null.
 Packed::Json number_or_null(double value);

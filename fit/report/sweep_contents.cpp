@@ -7,19 +7,19 @@ namespace {
 
 using Json = Packed::Json;
 
-constexpr std::size_t most_rows = 5000, most_columns = 200, most_samples = 500'000, most_text = 300;
+constexpr std::size_t most_columns = 200, most_samples = 500'000, most_text = 300;
 
 /// A few hundred bytes of each say enough in a table.
-Json text_column(const std::vector<std::string>& texts, std::size_t rows) {
+Json text_column(const std::vector<std::string>& texts) {
   if (texts.empty()) return nullptr;
   Json list = Json::array();
-  for (std::size_t i = 0; i < rows; ++i) list.push_back(texts[i].substr(0, most_text));
+  for (const std::string& text : texts) list.push_back(text.substr(0, most_text));
   return list;
 }
 
-/// ΔV of the rows shown, every so many samples.
-Json curve_table(const SweepRecord& sweep, std::size_t rows, Packed& packed) {
-  const std::size_t samples = sweep.curve_time_s.size();
+/// ΔV every so many samples.
+Json curve_table(const StoredSweep& sweep, Packed& packed) {
+  const std::size_t rows = sweep.status.size(), samples = sweep.curve_time_s.size();
   if (samples == 0 || rows == 0) return nullptr;
   const std::size_t every = std::max<std::size_t>(1, (rows * samples + most_samples - 1) / most_samples);
   std::vector<double> moments, volumes;
@@ -34,22 +34,21 @@ Json curve_table(const SweepRecord& sweep, std::size_t rows, Packed& packed) {
 
 }  // namespace
 
-Json sweep_contents(const SweepRecord& sweep, Packed& packed) {
-  const std::size_t runs = sweep.status.size(), rows = std::min(runs, most_rows);
-  Json json{{"runs", runs},
-            {"rows", rows},
+Json sweep_contents(const StoredSweep& sweep, Packed& packed) {
+  Json json{{"runs", sweep.runs},
+            {"rows", sweep.status.size()},
             {"sweep_toml", sweep.sweep_toml},
-            {"scenario", text_column(sweep.scenario, rows)},
-            {"status", text_column(sweep.status, rows)},
-            {"error", text_column(sweep.error, rows)},
+            {"scenario", text_column(sweep.scenario)},
+            {"status", text_column(sweep.status)},
+            {"subject", text_column(sweep.subject)},
+            {"error", text_column(sweep.error)},
             {"columns", Json::array()}};
   for (const NamedColumn& column : sweep.columns) {
     if (json["columns"].size() == most_columns) break;
-    const std::vector<double> shown(column.values.begin(),
-                                    column.values.begin() + static_cast<std::ptrdiff_t>(rows));
-    json["columns"].push_back({{"name", column.name}, {"unit", column.unit}, {"values", json_list(shown)}});
+    json["columns"].push_back(
+        {{"name", column.name}, {"unit", column.unit}, {"values", json_list(column.values)}});
   }
-  json["curves"] = curve_table(sweep, rows, packed);
+  json["curves"] = curve_table(sweep, packed);
   return json;
 }
 

@@ -13,7 +13,4 @@ RunRecord read_run(const std::filesystem::path& path);
 /// A fit as it was written. Throws InputError when the file is none, or damaged.
 FitRecord read_fit(const std::filesystem::path& path);
 
-/// The table and curves of a sweep as they were written. Throws InputError when the file is none, or damaged.
-SweepRecord read_sweep(const std::filesystem::path& path);
-
 }  // namespace trunk

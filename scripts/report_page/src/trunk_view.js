@@ -81,10 +81,10 @@ function readouts(run, runs, scene, clock) {
     const of = run.trajectory.contact.particles.length;
     const bar = h('span', { class: 'fill' });
     const value = h('output', { 'data-readout': 'contact', 'aria-live': 'off' });
-    rows.push(h('div', { class: 'readout readout-contact' }, h('span', null, 'against the ribs'), value, h('span', { class: 'gauge', 'aria-hidden': 'true' }, bar)));
+    rows.push(h('div', { class: 'readout readout-contact' }, h('span', null, 'particles on the ribs'), value, h('span', { class: 'gauge', 'aria-hidden': 'true' }, bar)));
     clock.onTime((time) => {
       const touching = scene.touching(time).length;
-      value.textContent = `${touching} of ${of} particles`;
+      value.textContent = `${touching} of ${of}`;
       bar.style.width = `${(100 * touching) / of}%`;
     });
   }
