@@ -42,7 +42,7 @@ export const nameText = (name) => names[name] ?? name;
 
 /** Short: for axes and heads of tables. */
 export function shortName(name) {
-  const bare = name.includes('.') ? name.slice(name.lastIndexOf('.') + 1) : name;
+  const bare = name.replace(/^parameters\./, '').replaceAll('.', ' ');
   return bare.replace(/_(N_per_m|N_s_per_m|ml|mm|percent|cmH2O|s|ms|deg|kg|m_s2)$/, '').replace(/(?<!^k)_/g, ' ');
 }
 
