@@ -103,10 +103,10 @@ class Hostile(TrunkTest):
                     self.refused_by_readers("names a particle that does not exist")
 
     def test_types_that_disagree(self):
-        for name in (POSITION, "curves/time", "measures/delta_v_ml"):
+        for name in (POSITION, "curves/time"):
             with self.subTest(name):
                 self.changed(self.replaced(name, lambda file, n: file.create_dataset(n, data=np.array([b"text"] * 3))))
-                self.refused_by_readers(r"cannot read|wrong")
+                self.refused_by_readers("cannot read|wrong")
         def pointers(file, name):
             file.create_dataset(name, (102,), h5py.vlen_dtype("f8"))
         self.changed(self.replaced("curves/dV_model", pointers))
