@@ -12,6 +12,9 @@ namespace trunk {
 /// digits, what is not known is an empty cell.
 std::vector<NamedText> csv_tables(const RunRecord& run);
 
+/// Those of its trajectory alone.
+std::vector<NamedText> csv_trajectory_tables(const RunRecord& run);
+
 /// A fit as tables: parameters, statistics, breath, evaluations, and as there are starts, profiles, surface,
 /// breaths, predictions; those of its best run as above.
 std::vector<NamedText> csv_tables(const FitRecord& fit);

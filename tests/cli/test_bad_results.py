@@ -14,14 +14,26 @@ except ImportError as missing:
 POSITION = "particles/trajectory/position/value"
 
 
+written = b""  # a run, once for all
+
+
+def setUpModule():
+    global written
+    maker = TrunkTest()
+    maker.setUp()
+    maker.succeeds("simulate", HEALTHY, "-o", "r.h5", *COARSE)
+    written = (maker.folder / "r.h5").read_bytes()
+    maker.doCleanups()
+
+
 class Hostile(TrunkTest):
     def setUp(self):
         super().setUp()
-        self.succeeds("simulate", HEALTHY, "-o", "r.h5", *COARSE)
+        self.file("r.h5", written)
 
     def changed(self, change):
         """What `change` does to a file of ours; another program drops the seal."""
-        (self.folder / "x.h5").write_bytes((self.folder / "r.h5").read_bytes())
+        self.file("x.h5", written)
         with h5py.File(self.folder / "x.h5", "r+") as file:
             change(file)
 
@@ -103,10 +115,10 @@ class Hostile(TrunkTest):
                     self.refused_by_readers("names a particle that does not exist")
 
     def test_types_that_disagree(self):
-        for name in (POSITION, "curves/time", "measures/delta_v_ml"):
+        for name in (POSITION, "curves/time"):
             with self.subTest(name):
                 self.changed(self.replaced(name, lambda file, n: file.create_dataset(n, data=np.array([b"text"] * 3))))
-                self.refused_by_readers(r"cannot read|wrong")
+                self.refused_by_readers("cannot read|wrong")
         def pointers(file, name):
             file.create_dataset(name, (102,), h5py.vlen_dtype("f8"))
         self.changed(self.replaced("curves/dV_model", pointers))

@@ -108,7 +108,7 @@ class H5py(Written):
             self.assertEqual((whole.returncode, whole.stderr), (0, ""))
 
     def test_equal_runs_are_equal_bytes(self):
-        for command in (("simulate", HEALTHY, *SHORT), ("fit", HEALTHY, "--trace", "../t.csv", *FAST_FIT)):
+        for command in (("simulate", HEALTHY, *SHORT), ("fit", HEALTHY, "--trace", "../t.csv", *FAST_FIT, "--free", "k_muscle", "--timing", "trace")):
             copies = []
             for name in ("a", "b"):
                 (self.folder / name).mkdir(exist_ok=True)
