@@ -38,12 +38,14 @@ class Hostile(TrunkTest):
             change(file)
 
     def refused_by_all(self, says):
-        for command in (("inspect", "x.h5"), ("replay", "x.h5"), ("diff", "x.h5", "r.h5"), ("export", "x.h5", "--csv", "out")):
+        for command in (("inspect", "x.h5"), ("replay", "x.h5"), ("diff", "x.h5", "r.h5"), ("export", "x.h5", "--csv", "out"),
+                        ("report", "x.h5", "-o", "x.html")):
             with self.subTest(command[0]):
                 self.refused(*command, says="x.h5: .*" + says)
 
     def refused_by_readers(self, says):
-        for command in (("replay", "x.h5"), ("diff", "r.h5", "x.h5"), ("export", "x.h5", "--vtk", "out")):
+        for command in (("replay", "x.h5"), ("diff", "r.h5", "x.h5"), ("export", "x.h5", "--vtk", "out"),
+                        ("report", "r.h5", "x.h5", "-o", "x.html")):
             with self.subTest(command[0]):
                 self.refused(*command, says="x.h5: .*" + says)
 
