@@ -3,11 +3,12 @@
 # Builds and runs the program, and reads its files for the plots and tables of quickstart.
 runtime_packages=(g++ cmake ninja-build pkg-config git
   libeigen3-dev libnlopt-dev libgsl-dev libhdf5-dev libsqlite3-dev libssl-dev
-  libcli11-dev libfmt-dev nlohmann-json3-dev libtomlplusplus-dev libpugixml-dev libmatio-dev libedf-dev
+  libcli11-dev libfmt-dev nlohmann-json3-dev libtomlplusplus-dev libpugixml-dev libmatio-dev libedf-dev zlib1g-dev
   python3 python3-h5py python3-matplotlib python3-numpy)
 
-# Also needed by the tests.
-test_packages=(catch2 clang-format python3-h5netcdf python3-pandas python3-xarray)
+# Also needed by the tests: other people's readers of the results (MDAnalysis and VTK take most of a minute).
+test_packages=(catch2 clang-format hdf5-tools python3-h5netcdf python3-mdanalysis python3-netcdf4 python3-pandas python3-vtk9
+  python3-xarray)
 
 say() { printf '\n== %s\n' "$*"; }
 

@@ -16,6 +16,9 @@ void add_sweep(CLI::App& app, Common& common, Run& run);
 void add_status(CLI::App& app, Common& common, Run& run);
 void add_validate(CLI::App& app, Common& common, Run& run);
 void add_inspect(CLI::App& app, Common& common, Run& run);
+void add_diff(CLI::App& app, Common& common, Run& run);
+void add_replay(CLI::App& app, Common& common, Run& run);
 void add_export(CLI::App& app, Common& common, Run& run);
+void add_report(CLI::App& app, Common& common, Run& run);
 
 }  // namespace trunk

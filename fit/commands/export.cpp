@@ -4,11 +4,15 @@
 
 #include "commands/commands.hpp"
 #include "errors/input_error.hpp"
+#include "exports/csv_tables.hpp"
+#include "exports/vtk_files.hpp"
 #include "io/region_loads_lml.hpp"
 #include "io/scenario_file.hpp"
 #include "io/trunk_pml.hpp"
+#include "results/read_records.hpp"
 #include "results/summary.hpp"
 #include "results/target_file.hpp"
+#include "results/vtkhdf_view.hpp"
 
 namespace trunk {
 namespace {
@@ -16,28 +20,27 @@ namespace {
 namespace fs = std::filesystem;
 
 struct ExportRequest {
-  std::string file, pml_folder;
-};
-
-struct TextFile {
-  fs::path path;
-  std::string text;
+  std::string file, pml_folder, csv_folder, vtk_folder;
 };
 
 /// The trunk, its loads where it has any, and the scenario that takes both: simulating it repeats the run.
-std::vector<TextFile> pml_files(const std::string& source, const fs::path& folder) {
+std::vector<NamedText> pml_files(const std::string& source) {
   const RunInputs inputs = read_run_inputs(source);
   Scenario s = scenario_of_text(inputs.scenario_toml, source, inputs.trunk_pml).scenario;
-  std::vector<TextFile> files{{folder / "trunk.pml", trunk_pml(s)}};
+  std::vector<NamedText> files{{"trunk.pml", trunk_pml(s)}};
   s.mesh_file = "trunk.pml";
   std::string head;
   if (!s.loads.empty()) {
-    files.push_back({folder / "loads.lml", region_loads_lml(s.loads)});
+    files.push_back({"loads.lml", region_loads_lml(s.loads)});
     head = "loads = \"loads.lml\"\n";
     s.loads.clear();
   }
-  files.push_back({folder / "scenario.toml", head + to_toml(s)});
+  files.push_back({"scenario.toml", head + to_toml(s)});
   return files;
+}
+
+std::vector<NamedText> csv_files(const std::string& source) {
+  return kind_of(source) == "fit" ? csv_tables(read_fit(source)) : csv_tables(read_run(source));
 }
 
 void make_folder(const fs::path& folder) {
@@ -46,36 +49,71 @@ void make_folder(const fs::path& folder) {
   if (error) throw InputError(folder.string(), 0, "cannot be made a folder: " + error.message());
 }
 
+/// Writes all or, where one cannot be written, says so before any. A view of VTKHDF goes beside them.
+std::vector<std::string> write_all(const Common& common, const std::string& source, const fs::path& folder,
+                                   const std::vector<NamedText>& files, const fs::path& view) {
+  make_folder(folder);
+  std::vector<fs::path> paths;
+  for (const NamedText& file : files) paths.push_back(folder / file.name);
+  if (!view.empty()) paths.push_back(view);
+  for (const fs::path& path : paths) {
+    make_folder(path.parent_path());
+    require_apart({source}, {path});
+    require_writable_target(path, common.force);
+  }
+  for (std::size_t i = 0; i < files.size(); ++i)
+    replace_file(paths[i], std::as_bytes(std::span(files[i].text)));
+  if (!view.empty()) write_vtkhdf_view(view, source);
+  std::vector<std::string> names;
+  for (const fs::path& path : paths) names.push_back(path.string());
+  return names;
+}
+
 Exit export_command(const Common& common, const ExportRequest& request) {
-  if (request.pml_folder.empty()) throw CLI::RequiredError("--pml DIR");
-  const std::vector<TextFile> files = pml_files(request.file, request.pml_folder);
-  make_folder(request.pml_folder);
-  for (const TextFile& file : files) {
-    require_apart({request.file}, {file.path});
-    require_writable_target(file.path, common.force);
+  if (request.pml_folder.empty() && request.csv_folder.empty() && request.vtk_folder.empty())
+    throw CLI::RequiredError("--csv DIR, --vtk DIR or --pml DIR");
+  std::vector<std::string> names;
+  std::string advice;
+  const auto write = [&](const fs::path& folder, const std::vector<NamedText>& files, const fs::path& view) {
+    for (std::string& name : write_all(common, request.file, folder, files, view))
+      names.push_back(std::move(name));
+  };
+  if (const fs::path folder = request.pml_folder; !folder.empty()) {
+    write(folder, pml_files(request.file), "");
+    advice += fmt::format("\nSimulate it again: trunk simulate {} -o again.h5",
+                          (folder / "scenario.toml").string());
   }
-  Json names = Json::array();
+  if (const fs::path folder = request.csv_folder; !folder.empty()) write(folder, csv_files(request.file), "");
+  if (const fs::path folder = request.vtk_folder; !folder.empty()) {
+    write(folder, vtk_files(read_run(request.file).trajectory, request.file), folder / "view.vtkhdf");
+    advice += fmt::format("\nOpen in ParaView: {}, or from 5.12 on {}", (folder / "trunk.pvd").string(),
+                          (folder / "view.vtkhdf").string());
+  }
+  constexpr std::size_t most_named = 12;
   std::string text = "Written:";
-  for (const TextFile& file : files) {
-    replace_file(file.path, std::as_bytes(std::span(file.text)));
-    names.push_back(file.path.string());
-    text += " " + file.path.string();
-  }
-  text += fmt::format("\nSimulate it again: trunk simulate {} -o again.h5", files.back().path.string());
-  print_result(common, {{"schema", "trunk.export/1"}, {"files", names}}, text);
+  for (std::size_t i = 0; i < std::min(most_named, names.size()); ++i) text += " " + names[i];
+  if (names.size() > most_named) text += fmt::format(" and {} more", names.size() - most_named);
+  print_result(common, {{"schema", "trunk.export/1"}, {"files", names}}, text + advice);
   return Exit::done;
 }
 
 }  // namespace
 
 void add_export(CLI::App& app, Common& common, Run& run) {
-  auto* command =
-      app.add_subcommand("export", "Write what a run or fit was made of in formats of other programs");
+  auto* command = app.add_subcommand("export", "Write a run or fit in formats of other programs");
   const auto request = std::make_shared<ExportRequest>();
   command->add_option("FILE", request->file, "run or fit (HDF5); of a fit its best run")->required();
   command->add_option("--pml", request->pml_folder,
                       "folder for trunk.pml (CamiTK's physical model: particles, surfaces, regions, fibres), "
                       "loads.lml where there are loads, and scenario.toml, which simulates them again");
+  command->add_option(
+      "--csv", request->csv_folder,
+      "folder for tables: curves, frames, positions, measures, parameters; of a fit the breath, "
+      "evaluations, profiles and surface too");
+  command->add_option(
+      "--vtk", request->vtk_folder,
+      "folder for trunk.pvd and frames/*.vtp, which any ParaView opens, and view.vtkhdf, a link to "
+      "FILE for ParaView from 5.12 on");
   command->add_flag("--json", common.json, "print one JSON object");
   command->add_flag("--force", common.force, "replace files that exist");
   command->callback(

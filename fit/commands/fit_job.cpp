@@ -130,15 +130,17 @@ FitOutcome FitJob::carry_out() {
 void FitJob::store(const FitOutcome& outcome, const std::string& argv) {
   const Estimation& e = outcome.estimation;
   const ScenarioFile best = fit_->fitted(e);
-  const int stride =
-      std::max(1, static_cast<int>(std::lround(best.scenario.frame_every_s / best.scenario.time.dt_s)));
-  const BreathRun run = run_breath(fit_->trunk(), best.scenario, stride);
+  const BreathRun run = run_breath(fit_->trunk(), best.scenario, frame_stride(best.scenario));
   const auto& breath = fit_->measurement().breath;
   Provenance provenance = provenance_of(inputs(), argv);
   provenance.seed = fit_->plan().estimation.search.seed;
   FitRecord record =
       fit_record(fit_->file(), fit_->trunk(), fit_->space(), fit_->target(),
                  breath ? breath->sigma_m3 : std::vector<double>(), e, status_of(e), run, provenance);
+  if (breath) {
+    record.statistics.push_back({"breaths_used", "1", static_cast<double>(breath->breaths_used)});
+    record.statistics.push_back({"breaths_rejected", "1", static_cast<double>(breath->breaths_rejected)});
+  }
   add_breaths(outcome.breaths, record);
   add_predictions(outcome.predictions, record);
   write_fit(request_.output, record);

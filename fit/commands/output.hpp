@@ -10,7 +10,14 @@
 namespace trunk {
 
 /// Exit codes of the program.
-enum class Exit { done = 0, bad_input = 2, not_converged = 3, not_identifiable = 4, interrupted = 130 };
+enum class Exit {
+  done = 0,
+  different = 1,
+  bad_input = 2,
+  not_converged = 3,
+  not_identifiable = 4,
+  interrupted = 130
+};
 
 using Json = nlohmann::ordered_json;
 

@@ -41,7 +41,8 @@ int trunk::run_program(int argc, char** argv) {
   app.require_subcommand(1);
   app.set_version_flag("--version", trunk::version_text());
   app.footer(
-      "Exit codes: 0 done, 2 bad input, 3 diverged or not converged, 4 a free parameter is not "
+      "Exit codes: 0 done, 1 different (diff, replay), 2 bad input, 3 diverged or not converged, 4 a free "
+      "parameter is not "
       "identifiable, 130 interrupted.");
   trunk::Common common{joined(argc, argv), false, false};
   trunk::Run run;
@@ -53,7 +54,10 @@ int trunk::run_program(int argc, char** argv) {
   trunk::add_status(app, common, run);
   trunk::add_validate(app, common, run);
   trunk::add_inspect(app, common, run);
+  trunk::add_diff(app, common, run);
+  trunk::add_replay(app, common, run);
   trunk::add_export(app, common, run);
+  trunk::add_report(app, common, run);
   try {
     app.parse(argc, argv);
     const trunk::Exit exit = run();

@@ -15,11 +15,8 @@ namespace {
 struct SimulateRequest {
   std::string scenario, output, parameters_from;
   std::vector<std::string> settings;
+  std::optional<double> frame_every_ms;
 };
-
-int frame_stride(const Scenario& s) {
-  return std::max(1, static_cast<int>(std::lround(s.frame_every_s / s.time.dt_s)));
-}
 
 Json summary(const Trunk& trunk, const Scenario& scenario, const BreathRun& run) {
   Json json{{"schema", "trunk.simulate/1"}, {"status", status_word(run.summary.status)}};
@@ -58,6 +55,7 @@ Exit simulate_command(const Common& common, const SimulateRequest& request) {
     file.inputs.push_back(request.parameters_from);
   }
   apply_settings(request.settings, file);
+  if (request.frame_every_ms) file.scenario.frame_every_s = 1e-3 * *request.frame_every_ms;
   require_apart(file.inputs, {request.output});
   const Trunk trunk = build_timed_trunk(file);
   require_writable_target(request.output, common.force);
@@ -89,6 +87,12 @@ void add_simulate(CLI::App& app, Common& common, Run& run) {
   command->add_option("--from", request->parameters_from,
                       "take k_elasticity, k_muscle, damping and the activation's course of this fit or run "
                       "(HDF5), not its geometry; --set goes over it");
+  command
+      ->add_option(
+          "--every", request->frame_every_ms,
+          "ms between the frames of the stored trajectory [time.frame_every_ms of the scenario, 10]; "
+          "0: a summary, with no trajectory and curves every 10 ms")
+      ->check(CLI::Range(0.0, 1e6));
   command->add_flag("--json", common.json, "print one JSON object");
   command->add_flag("--force", common.force, "replace the result file if it exists");
   command->callback(

@@ -28,6 +28,7 @@ Quality quality_of(const Target& target, const Eigen::VectorXd& model, std::size
                         target.time_s[static_cast<std::size_t>(measured_peak)];
   const OneCompartment baseline = fit_one_compartment(target, given);
   q.baseline_nrmse = normalised(baseline.residuals);
+  q.baseline = measured + baseline.residuals;
   q.bic = ar1_bic((model - measured) / q.tidal_volume_m3, parameters);
   q.baseline_bic = ar1_bic(baseline.residuals / q.tidal_volume_m3, 2 + timed);
   return q;

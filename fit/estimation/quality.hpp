@@ -13,6 +13,7 @@ struct Quality {
   double bic = 0.0;                    // AR(1) noise
   double baseline_nrmse = 0.0;         // of the one-compartment model
   double baseline_bic = 0.0;
+  Eigen::VectorXd baseline;  // [samples] m3, the one-compartment model; empty without a curve
 };
 
 /// `model` at the target's samples, m3, from a fit of `parameters` numbers. The one-compartment model has the

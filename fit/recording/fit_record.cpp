@@ -17,6 +17,8 @@ std::vector<NamedValue> statistics_of(const Estimation& e) {
       {"baseline_nrmse_percent", "percent", 100.0 * e.quality.baseline_nrmse},
       {"bic", "1", e.quality.bic},
       {"baseline_bic", "1", e.quality.baseline_bic},
+      {"objective", "1", e.search.objective},
+      {"evaluations", "1", static_cast<double>(e.evaluations.size())},
       {"failed_evaluations", "1", static_cast<double>(e.failures)},
   };
   if (e.cross_check)
@@ -106,6 +108,23 @@ void add_likelihood(const SearchSpace& space, const Estimation& e, FitRecord& fi
   }
   fit.surface.deviance = e.surface->deviance;
   fit.surface.threshold95 = e.surface->threshold95;
+  for (int i = 0; i < 2; ++i) {
+    fit.surface.lower95[i] = e.surface->region95[i].lower;
+    fit.surface.upper95[i] = e.surface->region95[i].upper;
+  }
+  fit.surface.closed = e.surface->closed;
+}
+
+void add_bootstrap(const SearchSpace& space, const Bootstrap& b, FitRecord& fit) {
+  for (const FitRecord::Parameter& p : fit.parameters) {
+    const auto i = space.find(p.name);
+    const bool resampled = i && *i < b.interval95.size();
+    fit.bootstrap_lower95.push_back(resampled ? b.interval95[*i].lower : std::nan(""));
+    fit.bootstrap_upper95.push_back(resampled ? b.interval95[*i].upper : std::nan(""));
+  }
+  fit.statistics.push_back({"bootstrap_repeats", "1", static_cast<double>(b.repeats)});
+  fit.statistics.push_back({"bootstrap_ratio_lower95", "1", b.ratio95.lower});
+  fit.statistics.push_back({"bootstrap_ratio_upper95", "1", b.ratio95.upper});
 }
 
 }  // namespace
@@ -142,7 +161,12 @@ FitRecord fit_record(const ScenarioFile& file, const Trunk& trunk, const SearchS
   fit.dV_fit_m3.assign(e.model.data(), e.model.data() + e.model.size());
   for (std::size_t i = 0; i < fit.dV_fit_m3.size(); ++i)
     fit.residual_m3.push_back(fit.dV_fit_m3[i] - target.delta_v[i]);
+  fit.dV_baseline_m3.assign(e.quality.baseline.data(), e.quality.baseline.data() + e.quality.baseline.size());
   fit.statistics = statistics_of(e);
+  if (e.bootstrap) add_bootstrap(space, *e.bootstrap, fit);
+  fit.notes = e.notes;
+  fit.identifiable = e.uncertainty && e.uncertainty->identifiable;
+  if (e.cross_check) fit.cross_check = {e.cross_check->first, e.cross_check->second, e.cross_check->agree};
   fit.provenance = provenance;
 
   ScenarioFile best = file;

@@ -7,58 +7,74 @@
 
 #include "errors/input_error.hpp"
 #include "io/trunk_pml.hpp"
+#include "recording/trajectory_record.hpp"
 
 namespace trunk {
 namespace {
 
 constexpr double ml = 1e-6, mm = 1e-3;
 
-std::vector<double> flat(const std::vector<BreathRun::Frame>& frames,
-                         std::vector<Vec3d> BreathRun::Frame::*member) {
-  std::vector<double> numbers;
-  for (const auto& frame : frames)
-    for (const Vec3d& a : frame.*member) numbers.insert(numbers.end(), {a.x(), a.y(), a.z()});
-  return numbers;
+using Steps = std::vector<std::size_t>;
+
+std::vector<double> at_steps(const Steps& steps, const std::vector<double>& values, double unit) {
+  std::vector<double> some;
+  for (const std::size_t step : steps) some.push_back(values[step] / unit);
+  return some;
 }
 
-Trajectory trajectory_of(const Trunk& trunk, const BreathRun& run, double dt_s) {
-  Trajectory t;
-  t.particles = trunk.model.particles();
-  for (const auto& frame : run.frames) {
-    t.step.push_back(frame.step);
-    t.time_s.push_back(frame.step * dt_s);
-  }
-  t.position_m = flat(run.frames, &BreathRun::Frame::position);
-  t.velocity_m_s = flat(run.frames, &BreathRun::Frame::velocity);
-  t.mass_kg = trunk.model.mass;
-  t.region.assign(t.particles, 0);
-  for (const auto& [name, particles] : trunk.mesh.regions) {
-    for (int i : particles)
-      t.region[static_cast<std::size_t>(i)] = static_cast<std::int32_t>(t.region_names.size());
-    t.region_names.push_back(name);
-  }
-  t.rigid.assign(t.particles, 0);
-  t.rigid_names = {"none"};
-  for (const RigidBody& body : trunk.model.bodies) {
-    for (int i : body.particles)
-      t.rigid[static_cast<std::size_t>(i)] = static_cast<std::int32_t>(t.rigid_names.size());
-    t.rigid_names.push_back(body.name);
-  }
-  t.component_names = {"abdomen_and_diaphragm", "lung"};
-  for (const auto& [triangles, component] :
-       {std::pair{&trunk.mesh.abdomen, 0}, std::pair{&trunk.mesh.lung, 1}})
-    for (const auto& [i, j, k] : *triangles) {
-      t.triangles.push_back({i, j, k});
-      t.triangle_component.push_back(component);
-    }
-  for (const Fibre& f : trunk.model.fibres) t.fibres.push_back({f.insertion, f.origin});
-  for (const auto& line : trunk.mesh.muscle_lines) t.muscle_lines.emplace_back(line.begin(), line.end());
-  return t;
+/// What the program itself says of each of those steps.
+std::vector<Series> own_series(const BreathRun& run, const Steps& steps, const std::string& volume) {
+  return {{volume, "ml", "lung volume above end-expiration, simulated", at_steps(steps, run.delta_v, ml)},
+          {"activation", "1", "muscle activation A(t)", at_steps(steps, run.activation, 1.0)},
+          {"abdominal_pressure", "cmH2O", "pressure in the abdominal compartment above rest",
+           at_steps(steps, run.pressure_Pa, Pa_per_cmH2O)}};
 }
 
-std::vector<double> scaled_by(double factor, std::vector<double> values) {
-  for (double& v : values) v *= factor;
-  return values;
+/// Volume, activation and pressure again, and the lengths of Table 1 and the domes as they change.
+std::vector<Series> frame_series(const Trunk& trunk, const BreathRun& run) {
+  Steps steps;
+  for (const auto& frame : run.frames) steps.push_back(static_cast<std::size_t>(frame.step));
+  std::vector<Series> all = own_series(run, steps, "dV");
+  const Shape rest = shape_of(trunk, trunk.model.rest);
+  std::vector<Measures> measures;
+  for (const auto& frame : run.frames)
+    measures.push_back(measures_between(rest, shape_of(trunk, frame.position)));
+  const auto add = [&](const char* name, const char* meaning, double Measures::*member) {
+    Series series{name, "mm", meaning, {}};
+    for (const Measures& m : measures) series.values.push_back(m.*member / mm);
+    all.push_back(std::move(series));
+  };
+  add("dL", "shortening of the zone of apposition", &Measures::delta_l);
+  add("dH", "flattening of the domes", &Measures::delta_h);
+  add("dR", "widening of the zone of apposition", &Measures::delta_r);
+  add("excursion_right", "descent of the right dome", &Measures::excursion_right);
+  add("excursion_left", "descent of the left dome", &Measures::excursion_left);
+  return all;
+}
+
+/// Every step; where no trajectory is kept, every 10 ms.
+Steps curve_steps(const BreathRun& run, const Scenario& scenario) {
+  const long every = run.frames.empty() ? std::lround(0.01 / scenario.time.dt_s) : 1;
+  Steps steps;
+  for (std::size_t step = 0; step < run.time_s.size(); step += static_cast<std::size_t>(std::max(1L, every)))
+    steps.push_back(step);
+  return steps;
+}
+
+void add_curves(const BreathRun& run, const Steps& steps, const Target& measured, RunRecord& r) {
+  r.curve_time_s = at_steps(steps, run.time_s, 1.0);
+  r.curves = own_series(run, steps, "dV_model");
+  if (measured.time_s.size() <= 1) return;
+  Series observed{"dV_measured", "ml", "lung volume above end-expiration, measured, interpolated", {}};
+  Series residual{"residual", "ml", "model minus measured", {}};
+  const double spacing = measured.time_s[1] - measured.time_s[0];
+  const Eigen::VectorXd at_times = sampled(measured.delta_v, spacing, r.curve_time_s);
+  for (std::size_t i = 0; i < r.curve_time_s.size(); ++i) {
+    observed.values.push_back(at_times[static_cast<Eigen::Index>(i)] / ml);
+    residual.values.push_back(r.curves.front().values[i] - observed.values.back());
+  }
+  r.curves.push_back(std::move(observed));
+  r.curves.push_back(std::move(residual));
 }
 
 }  // namespace
@@ -148,25 +164,11 @@ RunRecord run_record(const ScenarioFile& file, const Trunk& trunk, const BreathR
   if (file.scenario.mesh) r.trunk_pml = trunk_pml(file.scenario);
   r.parameters = parameters_of({file.scenario.parameters, file.scenario.activation});
   r.measures = measures_of(run);
-  r.trajectory = trajectory_of(trunk, run, file.scenario.time.dt_s);
-  r.curve_time_s = run.time_s;
-  const auto dV = scaled_by(1.0 / ml, run.delta_v);
-  r.curves = {{"dV_model", "ml", "lung volume above end-expiration, simulated", dV},
-              {"activation", "1", "muscle activation A(t)", run.activation},
-              {"abdominal_pressure", "cmH2O", "pressure in the abdominal compartment above rest",
-               scaled_by(1.0 / Pa_per_cmH2O, run.pressure_Pa)}};
-  if (measured.time_s.size() > 1) {
-    Series observed{"dV_measured", "ml", "lung volume above end-expiration, measured, interpolated", {}};
-    Series residual{"residual", "ml", "model minus measured", {}};
-    const double spacing = measured.time_s[1] - measured.time_s[0];
-    const Eigen::VectorXd at_times = sampled(measured.delta_v, spacing, run.time_s);
-    for (std::size_t i = 0; i < dV.size(); ++i) {
-      observed.values.push_back(at_times[static_cast<Eigen::Index>(i)] / ml);
-      residual.values.push_back(dV[i] - observed.values.back());
-    }
-    r.curves.push_back(std::move(observed));
-    r.curves.push_back(std::move(residual));
+  if (!run.frames.empty()) {
+    r.trajectory = trajectory_of(trunk, run, file.scenario.time.dt_s);
+    r.frame_series = frame_series(trunk, run);
   }
+  add_curves(run, curve_steps(run, file.scenario), measured, r);
   r.provenance = provenance;
   return r;
 }

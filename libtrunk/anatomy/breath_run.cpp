@@ -19,6 +19,14 @@ double relative_volume_error(const Model& model, const State<double>& state) {
   return std::abs(volume / (fraction * model.abdomen.rest) - 1.0);
 }
 
+std::vector<BreathRun::Touch> touches(const State<double>& state) {
+  using enum BreathRun::Touch;
+  std::vector<BreathRun::Touch> result;
+  for (const auto& contact : state.contact)
+    result.push_back(!contact.touching ? none : contact.sticking ? sticks : slides);
+  return result;
+}
+
 /// Triangles whose normal has turned by more than a right angle.
 int flipped(std::span<const Triangle> triangles, std::span<const Vec3d> before,
             std::span<const Vec3d> after) {
@@ -59,7 +67,7 @@ BreathRun run_breath(const Trunk& trunk, const Scenario& scenario, int frame_eve
       at_lowest = state.position;
     }
     if (frame_every > 0 && step % frame_every == 0)
-      run.frames.push_back({step, state.position, state.velocity});
+      run.frames.push_back({step, state.position, state.velocity, touches(state)});
   };
   const auto start = std::chrono::steady_clock::now();
   run.summary = simulate(model, scenario.parameters, scenario.activation, scenario.time, observe);

@@ -18,9 +18,11 @@ struct BreathRun {
   double max_relative_volume_error = 0.0;
   double wall_s = 0.0;  // the time loop alone
 
+  enum class Touch { none, slides, sticks };  // how a particle is on the surface that supports it
   struct Frame {
     int step;
     std::vector<Vec3d> position, velocity;  // [particles]
+    std::vector<Touch> touch;               // [supports]
   };
   std::vector<Frame> frames;
   std::vector<Vec3d> end_inspiration;  // [particles] where the lung volume was highest

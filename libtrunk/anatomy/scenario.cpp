@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "anatomy/template_mesh.hpp"
 #include "dynamics/stability.hpp"
 #include "errors/input_error.hpp"
@@ -18,6 +21,11 @@ void drop_supports_of_held_particles(Model& model) {
 }
 
 }  // namespace
+
+int frame_stride(const Scenario& s) {
+  if (s.frame_every_s == 0.0) return 0;
+  return std::max(1, static_cast<int>(std::lround(s.frame_every_s / s.time.dt_s)));
+}
 
 TrunkMesh mesh_of(const Scenario& s) {
   return s.mesh ? *s.mesh : make_template_mesh(s.geometry);

@@ -27,12 +27,15 @@ struct Scenario {
   TimeGrid time;
   bool automatic_step = false;                // time.dt_s is still to be chosen
   std::optional<TimeStepChoice> step_choice;  // how `time` was chosen, where it was
-  double frame_every_s = 0.01;                // between stored trajectory frames
+  double frame_every_s = 0.01;                // between stored trajectory frames; 0: none are stored
   Vec3d gravity;  // m/s2; 0: the rest shape was imaged under gravity, which is thus in it
   std::vector<RegionLoad> loads;
   std::vector<RigidPart> rigid;
   PiecewiseLinear abdominal_volume;  // fraction of rest; empty: constant
 };
+
+/// Steps between stored frames; 0: none are stored.
+int frame_stride(const Scenario& scenario);
 
 /// The trunk's particles before anything is done to them. Throws InputError.
 TrunkMesh mesh_of(const Scenario& scenario);

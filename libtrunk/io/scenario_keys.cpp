@@ -165,8 +165,8 @@ std::vector<Key> make_keys() {
                    [](Scenario& s, int i) { s.time.damping = static_cast<Damping>(i); },
                    [](const Scenario& s) { return static_cast<int>(s.time.damping); }}},
       number(
-          "time.frame_every_ms", "ms", ms, 1e-4, 1e6, [](Scenario& s) -> double& { return s.frame_every_s; },
-          "between stored frames"),
+          "time.frame_every_ms", "ms", ms, 0, 1e6, [](Scenario& s) -> double& { return s.frame_every_s; },
+          "between stored frames; 0: none, and curves every 10 ms"),
   };
 }
 

@@ -165,7 +165,7 @@ class Results(TrunkTest):
                 self.refuses(self.data[:part])
 
     def test_foreign(self):
-        self.refuses("time_s,volume_ml\n0,1\n", "x.h5: is not an HDF5 file, expected a results file of trunk")
+        self.refuses("time_s,volume_ml\n0,1\n", "x.h5: is not an HDF5 file but text")
         self.refuses(b"")
         self.refused("inspect", "none.h5", says="none.h5: no such file")
         self.refused("inspect", ".", says=r"trunk: \.: ")
@@ -175,15 +175,11 @@ class Results(TrunkTest):
         data[place] ^= 1 << bit
         return bytes(data)
 
-    def test_flipped_bits_anywhere_never_crash(self):
+    def test_one_flipped_bit_anywhere_is_seen(self):
         for i in range(60):
             place = i * (len(self.data) - 1) // 59
             with self.subTest(place):
-                self.file("x.h5", self.flipped(place, i % 8))
-                outcome = self.trunk("inspect", "x.h5")
-                self.assertIn(outcome.code, (0, 2), str(outcome))
-                if outcome.code == 2:
-                    self.assert_one_line(outcome)
+                self.refuses(self.flipped(place, i % 8), "x.h5: is (damaged|not an HDF5 file)")
 
     @unittest.skipUnless(importlib.util.find_spec("h5py"), "needs python3-h5py")
     def test_flipped_bits_in_numbers_are_seen(self):

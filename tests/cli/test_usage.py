@@ -5,7 +5,7 @@ import unittest
 
 from support import COARSE, HEALTHY, TrunkTest, trace
 
-COMMANDS = ("check", "simulate", "breaths", "fit", "sweep", "status", "validate", "inspect")
+COMMANDS = ("check", "simulate", "breaths", "fit", "sweep", "status", "validate", "inspect", "report")
 
 
 class Help(TrunkTest):
@@ -83,7 +83,8 @@ class Json(TrunkTest):
         self.file("s.toml", f'schema = "trunk.sweep/1"\nscenarios = ["{HEALTHY}"]\n[grid]\n"time.dt_ms" = [3]\n'
                             '"time.duration_s" = [0.3]\n')
         yield "simulate", HEALTHY, "-o", "r.h5", *COARSE
-        yield "fit", HEALTHY, "--trace", "t.csv", "-o", "f.h5", "--set", "time.dt_ms=3", "--fix", "k_elasticity=4000"
+        yield ("fit", HEALTHY, "--trace", "t.csv", "-o", "f.h5", "--set", "time.dt_ms=3", "--fix", "k_elasticity=4000",
+               "--timing", "trace", "--surface", "0")
         yield "breaths", "t.csv"
         yield "check", HEALTHY, "--trace", "t.csv"
         yield "sweep", "s.toml", "-o", "d"
@@ -91,6 +92,7 @@ class Json(TrunkTest):
         yield "inspect", "r.h5"
         yield "inspect", "f.h5"
         yield "inspect", "d/sweep.h5"
+        yield "report", "r.h5", "-o", "r.html"
         yield "check", "--keys"
         yield "validate",
 
@@ -98,7 +100,7 @@ class Json(TrunkTest):
         for command in self.commands():
             with self.subTest(" ".join(command)):
                 self.assertRegex(self.succeeds(*command, codes=(0, 4))["schema"], rf"^trunk\.{command[0]}/\d+$")
-                again = (*command, "--force") if command[0] in ("simulate", "fit", "sweep") else command
+                again = (*command, "--force") if command[0] in ("simulate", "fit", "sweep", "report") else command
                 plain = self.trunk(*again)
                 self.assertIn(plain.code, (0, 4), str(plain))
                 self.assertNotRegex(plain.out, r"[{}]|\"schema\"")

@@ -50,7 +50,7 @@ std::string print_fitted(const std::vector<FitRecord::Parameter>& parameters) {
   std::string out = "parameters: best, standard error, 95 % interval\n";
   for (const auto& parameter : parameters) {
     out += fmt::format("  {:<24} {:>12.6g}", printable(parameter.name), parameter.best);
-    if (!parameter.free)
+    if (!parameter.free && !parameter.beside)
       out += " fixed";
     else if (std::isfinite(parameter.stderr_))
       out +=
@@ -90,7 +90,7 @@ nlohmann::json to_json(const FitRecord::Parameter& parameter) {
   return {{"value", parameter.best},      {"unit", parameter.unit},       {"stderr", parameter.stderr_},
           {"lower95", parameter.lower95}, {"upper95", parameter.upper95}, {"initial", parameter.initial},
           {"lower", parameter.lower},     {"upper", parameter.upper},     {"at_bound", parameter.at_bound},
-          {"free", parameter.free}};
+          {"free", parameter.free},       {"beside", parameter.beside}};
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include "results/hdf5/read.hpp"
 #include "results/open_results.hpp"
 #include "results/read_numbers.hpp"
+#include "results/read_parts.hpp"
 
 namespace trunk::layout {
 namespace {
@@ -42,31 +43,6 @@ void add_texts(hid_t object, const std::vector<std::string>& names,
   }
 }
 
-void add_fitted(hid_t root, Description& file) {
-  for (const NamedValue& best : read_best_parameters(root)) {
-    FitRecord::Parameter parameter;
-    parameter.name = best.name;
-    parameter.unit = best.unit;
-    parameter.best = best.value;
-    file.fitted.push_back(std::move(parameter));
-  }
-  const auto fill = [&](const std::string& column, auto assign) {
-    const auto values = hdf5::read_doubles(root, "parameters/" + column);
-    if (values.size() != file.fitted.size())
-      throw hdf5::Error("parameters/" + column + " has the wrong length");
-    for (std::size_t i = 0; i < values.size(); ++i) assign(file.fitted[i], values[i]);
-  };
-  using Parameter = FitRecord::Parameter;
-  fill("initial", [](Parameter& parameter, double value) { parameter.initial = value; });
-  fill("lower", [](Parameter& parameter, double value) { parameter.lower = value; });
-  fill("upper", [](Parameter& parameter, double value) { parameter.upper = value; });
-  fill("stderr", [](Parameter& parameter, double value) { parameter.stderr_ = value; });
-  fill("lower95", [](Parameter& parameter, double value) { parameter.lower95 = value; });
-  fill("upper95", [](Parameter& parameter, double value) { parameter.upper95 = value; });
-  fill("at_bound", [](Parameter& parameter, double value) { parameter.at_bound = value != 0; });
-  fill("free", [](Parameter& parameter, double value) { parameter.free = value != 0; });
-}
-
 void add_run(hid_t root, Description& file) {
   file.parameters = read_numbers(root, "parameters");
   file.measures = read_numbers(root, "measures");
@@ -75,7 +51,9 @@ void add_run(hid_t root, Description& file) {
 void add_fit(hid_t root, Description& file) {
   const hdf5::Group result(H5Gopen2(root, "result", H5P_DEFAULT), "open result");
   add_texts(result, {"verdict", "stop_reason", "algorithm"}, file.heading);
-  add_fitted(root, file);
+  FitRecord fit;
+  read_estimates(root, fit);
+  file.fitted = std::move(fit.parameters);
   file.statistics = read_numbers(root, "result/statistics");
   file.measures = read_numbers(root, "best_run/measures");
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "results/hdf5/read.hpp"
 #include "results/layout.hpp"
 
 namespace trunk {
@@ -84,6 +85,12 @@ void write_parameters(hid_t root, const FitRecord& fit) {
   write_flags(write_array(parameters, {"beside", "1", "estimated along with the free ones"},
                           flags(all, &Parameter::beside), {name}),
               {"no", "beside"});
+  if (!fit.bootstrap_lower95.empty()) {
+    write_array(parameters, {"bootstrap_lower95", "", "lower end by resampled residuals, " + unit_in_table},
+                fit.bootstrap_lower95, {name});
+    write_array(parameters, {"bootstrap_upper95", "", "upper end by resampled residuals, " + unit_in_table},
+                fit.bootstrap_upper95, {name});
+  }
   write_covariance(parameters, fit);
 }
 
@@ -114,10 +121,23 @@ void write_result(hid_t root, const FitRecord& fit) {
   hdf5::write_attribute(result, "verdict", fit.verdict);
   hdf5::write_attribute(result, "stop_reason", fit.stop_reason);
   hdf5::write_attribute(result, "algorithm", fit.algorithm);
+  hdf5::write_attribute(result, "identifiable", std::int32_t{fit.identifiable});
+  if (!fit.cross_check.first.empty()) {
+    hdf5::write_attribute(result, "cross_check_first", fit.cross_check.first);
+    hdf5::write_attribute(result, "cross_check_second", fit.cross_check.second);
+    hdf5::write_attribute(result, "cross_check_agree", std::int32_t{fit.cross_check.agree});
+  }
   const Axis time = write_axis(result, {"time", "s", "time"}, fit.result_time_s);
   write_array(result, {"dV_fit", "ml", "volume change of the best simulation"}, layout::to_ml(fit.dV_fit_m3),
               {time});
   write_array(result, {"residual", "ml", "model - measured"}, layout::to_ml(fit.residual_m3), {time});
+  if (!fit.dV_baseline_m3.empty())
+    write_array(result, {"dV_baseline", "ml", "volume change of a one-compartment model, fitted beside ours"},
+                layout::to_ml(fit.dV_baseline_m3), {time});
+  if (!fit.notes.empty()) {
+    const Axis note = write_count_axis(result, {"note", "1", "note"}, fit.notes.size());
+    write_array(result, {"notes", "", "what was left out, and why"}, fit.notes, {note});
+  }
   layout::write_numbers(create_group(result, "statistics"), fit.statistics);
 }
 
@@ -165,7 +185,12 @@ void write_surface(hid_t root, const FitRecord& fit) {
   const Axis first = axis(0, "first"), second = axis(1, "second");
   write_array(surface, {"deviance", "1", "-2 log likelihood above its best, AR(1)"}, s.deviance,
               {first, second});
-  layout::write_numbers(surface, {{"threshold95", "1", s.threshold95}});
+  layout::write_numbers(surface, {{"threshold95", "1", s.threshold95},
+                                  {"first_lower95", s.unit[0], s.lower95[0]},
+                                  {"first_upper95", s.unit[0], s.upper95[0]},
+                                  {"second_lower95", s.unit[1], s.lower95[1]},
+                                  {"second_upper95", s.unit[1], s.upper95[1]}});
+  hdf5::write_attribute(surface, "closed", std::int32_t{s.closed});
 }
 
 void write_breaths(hid_t root, const FitRecord& fit) {
@@ -200,6 +225,10 @@ void write_best_run(hid_t root, const FitRecord& fit) {
   layout::write_schema(best, "run");
   layout::write_run_content(best, fit.best_run);
   hdf5::link_again(root, "provenance", best, "provenance");
+  // Readers of trajectories look at the root.
+  if (fit.best_run.trajectory.particles > 0)
+    for (const char* name : {"h5md", "particles", "connectivity", "observables", "VTKHDF"})
+      if (hdf5::has_link(best, name)) hdf5::link_again(best, name, root, name);
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "results/hdf5/image.hpp"
+#include "results/seal.hpp"
 #include "results/target_file.hpp"
 
 namespace trunk::layout {
@@ -70,7 +71,8 @@ void store(const std::filesystem::path& path, const std::string& kind,
       fill(root);
       write_attribute(root, "complete", std::int32_t{1});
     });
-    replace_file(path, image.bytes());
+    const std::string seal = seal_of(image.bytes());
+    replace_file(path, image.bytes(), std::as_bytes(std::span(seal)));
   } catch (const hdf5::Error& error) {
     throw std::runtime_error(path.string() + ": " + error.what());
   } catch (const std::bad_alloc&) {
@@ -118,6 +120,8 @@ bool is_clock_time(const std::string& name) {
 }
 
 std::string file_unit(const std::string& unit) {
+  const auto slash = unit.find('/');
+  if (slash != std::string::npos) return unit.substr(0, slash) + " " + unit.substr(slash + 1) + "-1";
   return unit.empty() ? "1" : unit;
 }
 

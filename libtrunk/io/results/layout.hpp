@@ -22,7 +22,9 @@ void write_schema(hid_t group, const std::string& kind);
 
 /// All that a run consists of but its provenance.
 void write_run_content(hid_t group, const RunRecord& run);
-void write_trajectory(hid_t group, const Trajectory& trajectory);
+void write_trajectory(hid_t group, const Trajectory& trajectory, const std::string& version_of_trunk);
+/// The trajectory once more as VTK wants it, without a copy of its numbers.
+void write_vtkhdf(hid_t group, const Trajectory& trajectory);
 
 void write_provenance(hid_t group, const Provenance& provenance);
 void write_numbers(hid_t group, const std::vector<NamedValue>& numbers);
@@ -33,7 +35,7 @@ bool is_reproducible();
 /// Whether a quantity of this name is such a time.
 bool is_clock_time(const std::string& name);
 
-/// "" and "1" are both the unit of a pure number, spelt "1" in files.
+/// As files spell it: a pure number is "1", N/m is "N m-1".
 std::string file_unit(const std::string& unit);
 
 /// m³ => ml

@@ -1,10 +1,13 @@
 #include "results/open_results.hpp"
 
+#include <algorithm>
 #include <new>
 
 #include "errors/input_error.hpp"
 #include "results/hdf5/read.hpp"
 #include "results/layout.hpp"
+#include "results/look.hpp"
+#include "results/seal.hpp"
 
 namespace trunk::layout {
 namespace {
@@ -16,10 +19,16 @@ void require_hdf5(const fs::path& path) {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
   if (!fs::exists(status)) refuse("no such file");
+  if (fs::is_directory(status))
+    refuse(
+        "is a folder, expected a results file; `trunk status` knows the folder of a sweep, its results are "
+        "in sweep.h5");
   if (!fs::is_regular_file(status)) refuse("is not a file");
+  std::error_code unreadable;
+  if (fs::file_size(path, unreadable) == 0 || unreadable) refuse(unreadable ? "cannot be read" : "is empty");
   const htri_t is_hdf5 = H5Fis_hdf5(path.c_str());
   if (is_hdf5 < 0) refuse("cannot be read");
-  if (is_hdf5 == 0) refuse("is not an HDF5 file, expected a results file of trunk");
+  if (is_hdf5 == 0) throw InputError(path.string(), 0, "is not an HDF5 file but " + look_of(path));
 }
 
 hdf5::File open_file(const fs::path& path) {
@@ -30,12 +39,28 @@ hdf5::File open_file(const fs::path& path) {
   return hdf5::File(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access), "open it");
 }
 
+/// Text from a stranger goes to a terminal.
+std::string names_in(hid_t root) {
+  constexpr std::size_t most = 5;
+  std::string text;
+  const std::vector<std::string> names = hdf5::link_names(root);
+  for (std::size_t i = 0; i < std::min(most, names.size()); ++i) {
+    std::string name = names[i].substr(0, 40);
+    for (char& c : name)
+      if (static_cast<unsigned char>(c) < 32 || c == 127) c = '?';
+    text += (i > 0 ? ", " : "") + name;
+  }
+  if (names.size() > most) text += " and " + std::to_string(names.size() - most) + " more";
+  return names.empty() ? "nothing" : text;
+}
+
 std::string require_schema(const fs::path& path, hid_t root) {
   const auto refuse = [&path](const std::string& text) { throw InputError(path.string(), 0, text); };
   const std::string schema = hdf5::read_attribute_if_any(root, "schema");
   const std::string version = hdf5::read_attribute_if_any(root, "schema_version");
   if (schema.rfind("trunk.", 0) != 0)
-    refuse("is an HDF5 file of another program, expected a results file of trunk");
+    refuse("is an HDF5 file of another program (it holds " + names_in(root) +
+           "), expected a results file of trunk");
   const std::string kind = schema.substr(6);
   if (kind != "run" && kind != "fit" && kind != "sweep") {
     refuse("has schema '" + schema + "', expected trunk.run, trunk.fit or trunk.sweep");
@@ -45,7 +70,7 @@ std::string require_schema(const fs::path& path, hid_t root) {
            std::to_string(schema_version));
   }
   if (hdf5::read_attribute_if_any(root, "complete") != "1") {
-    refuse("is unfinished: what wrote it did not come to its end");
+    refuse("is unfinished: what wrote it did not come to its end; make it again");
   }
   return kind;
 }
@@ -56,6 +81,7 @@ void read_results(const fs::path& path, const std::function<void(hid_t, const st
   const hdf5::Session session;
   require_hdf5(path);
   try {
+    require_intact(path);
     const hdf5::File file = open_file(path);
     const hdf5::Group root(H5Gopen2(file, "/", H5P_DEFAULT), "open the root group");
     use(root, require_schema(path, root));

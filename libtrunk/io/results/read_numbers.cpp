@@ -6,7 +6,7 @@ namespace trunk::layout {
 
 std::vector<NamedValue> read_numbers(hid_t root, const std::string& group) {
   std::vector<NamedValue> numbers;
-  const hdf5::Group source(H5Gopen2(root, group.c_str(), H5P_DEFAULT), "open " + group);
+  const hdf5::Group source = hdf5::open_group(root, group);
   hdf5::walk(source, [&](hid_t object, H5I_type_t kind, const std::string& name) {
     if (kind != H5I_DATASET || !hdf5::shape_of(object).empty()) return;
     if (!hdf5::has_attribute(object, "units")) return;  // a text

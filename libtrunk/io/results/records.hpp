@@ -56,10 +56,13 @@ struct Trajectory {
   std::vector<std::string> component_names;             //
   std::vector<std::array<std::int32_t, 2>> fibres;      ///< [F]
   std::vector<std::vector<std::int32_t>> muscle_lines;  ///< [L], each as long; or empty
+  std::vector<double> fibre_activity;                   ///< [F] or empty; share of k_muscle, 0 paralysed
+  std::vector<std::int32_t> contact;                    ///< [T*N] or empty; index in contact_names
+  std::vector<std::string> contact_names;               //
 };
 
-/// One simulation. `measures` is the Table 1 row. The curve named `dV_model`, when there is one, is
-/// written a second time as the trajectory sees it: sampled at the frames.
+/// One simulation. `measures` is the Table 1 row. `frame_series` go with the trajectory, `curves` stand
+/// alone.
 struct RunRecord {
   std::string title, status, message;
   std::string scenario_toml;           ///< verbatim
@@ -69,6 +72,7 @@ struct RunRecord {
   Trajectory trajectory;               //
   std::vector<double> curve_time_s;    ///< [Tc]
   std::vector<Series> curves;          ///< each [Tc]
+  std::vector<Series> frame_series;    ///< each [T], sampled with the frames of the trajectory
   Provenance provenance;
 };
 
@@ -100,6 +104,13 @@ struct FitRecord {
     std::vector<double> axis[2];   ///< [n]
     std::vector<double> deviance;  ///< [n*n], the second axis fastest
     double threshold95 = 0;
+    double lower95[2] = {0, 0}, upper95[2] = {0, 0};  ///< what the joint 95 % region spans
+    bool closed = false;                              ///< the region does not reach the edge of the grid
+  };
+  /// Whether a second method of search found the same.
+  struct CrossCheck {
+    std::string first, second;  ///< methods; empty: there was no second one
+    bool agree = false;
   };
   /// What the fit makes of another scenario.
   struct Prediction {
@@ -134,6 +145,11 @@ struct FitRecord {
   std::vector<Prediction> predictions;                        //
   RunRecord best_run;                                         ///< its provenance is the fit's
   Provenance provenance;
+  std::vector<double> dV_baseline_m3;                        ///< [Tr] of a one-compartment model; or empty
+  std::vector<double> bootstrap_lower95, bootstrap_upper95;  ///< [P], NaN where not asked for; or empty
+  std::vector<std::string> notes;                            ///< what was left out, and why
+  CrossCheck cross_check;                                    //
+  bool identifiable = false;                                 //
 };
 
 /// R runs in one table. A run that failed keeps its row, with NaN where there is no number.

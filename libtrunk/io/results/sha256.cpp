@@ -2,6 +2,7 @@
 
 #include <openssl/evp.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstdio>
@@ -55,13 +56,15 @@ std::string sha256_of_text(std::string_view text) {
   return hash.hexadecimal();
 }
 
-std::string sha256_of_file(const std::filesystem::path& path) {
+std::string sha256_of_file(const std::filesystem::path& path, std::uintmax_t most) {
   const std::unique_ptr<std::FILE, Close> file(std::fopen(path.c_str(), "rb"));
   if (!file) throw InputError(path.string(), 0, std::string("cannot be read: ") + std::strerror(errno));
   Sha256 hash;
   std::array<char, 65536> block;
-  while (const std::size_t size = std::fread(block.data(), 1, block.size(), file.get())) {
+  const auto next = [&] { return static_cast<std::size_t>(std::min<std::uintmax_t>(block.size(), most)); };
+  while (const std::size_t size = std::fread(block.data(), 1, next(), file.get())) {
     hash.add(block.data(), size);
+    most -= size;
   }
   // Opening a folder works, reading it does not.
   if (std::ferror(file.get())) {

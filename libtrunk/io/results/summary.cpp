@@ -31,6 +31,12 @@ bool is_complete(const std::filesystem::path& path) {
   }
 }
 
+std::string kind_of(const std::filesystem::path& path) {
+  std::string found;
+  layout::read_results(path, [&](hid_t, const std::string& kind) { found = kind; });
+  return found;
+}
+
 std::vector<NamedValue> read_parameters(const std::filesystem::path& path) {
   std::vector<NamedValue> parameters;
   layout::read_results(path, [&](hid_t root, const std::string& kind) {

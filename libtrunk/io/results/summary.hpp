@@ -19,6 +19,9 @@ struct RunSummary {
 /// Whether there is a finished results file. False, not an error, for anything else.
 bool is_complete(const std::filesystem::path& path);
 
+/// "run", "fit" or "sweep". Throws InputError for anything else.
+std::string kind_of(const std::filesystem::path& path);
+
 /// The parameters of a run, or the best ones of a fit. Throws InputError for anything else.
 std::vector<NamedValue> read_parameters(const std::filesystem::path& path);
 

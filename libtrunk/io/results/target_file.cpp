@@ -92,7 +92,7 @@ void require_writable_target(const fs::path& path, bool force) {
   PartFile trial(path);
 }
 
-void replace_file(const fs::path& path, std::span<const std::byte> bytes) {
+void replace_file(const fs::path& path, std::span<const std::byte> bytes, std::span<const std::byte> more) {
   std::error_code error;
   const fs::file_status target = fs::status(path, error);
   if (fs::exists(target) && !fs::is_regular_file(target)) {
@@ -100,6 +100,7 @@ void replace_file(const fs::path& path, std::span<const std::byte> bytes) {
   }
   PartFile part(path);
   part.write_all(bytes);
+  part.write_all(more);
   part.take_the_name();
   synchronise_folder(folder_of(path));
 }

@@ -11,11 +11,13 @@ namespace trunk {
 /// folder is missing, not a folder or not writable. A file is created there for trial and removed.
 void require_writable_target(const std::filesystem::path& path, bool force);
 
-/// Stores `bytes` at `path`, whole or not at all: written to a new file beside it (its name ends in
+/// Stores `bytes`, and `more` behind them, at `path`, whole or not at all: written to a new file beside it
+/// (its name ends in
 /// `.part`), synchronised, renamed. An old file, and whoever reads it, are left alone until then.
 /// Throws InputError that names the file and the cause; the `.part` file is gone then.
 ///
 /// A limit on file sizes (`ulimit -f`) is such a cause only in a program that ignores SIGXFSZ.
-void replace_file(const std::filesystem::path& path, std::span<const std::byte> bytes);
+void replace_file(const std::filesystem::path& path, std::span<const std::byte> bytes,
+                  std::span<const std::byte> more = {});
 
 }  // namespace trunk

@@ -7,14 +7,14 @@ namespace {
 
 using hdf5::Axis, hdf5::create_group, hdf5::Group, hdf5::write_array, hdf5::write_attribute;
 
-void write_h5md(hid_t group) {
+void write_h5md(hid_t group, const std::string& version_of_trunk) {
   const Group h5md = create_group(group, "h5md");
   constexpr std::int32_t version[] = {1, 1};
   write_attribute(h5md, "version", std::span<const std::int32_t>(version));
   write_attribute(create_group(h5md, "author"), "name", "not given");
   const Group creator = create_group(h5md, "creator");
   write_attribute(creator, "name", "trunk");
-  write_attribute(creator, "version", std::to_string(schema_version));
+  write_attribute(creator, "version", version_of_trunk);
 }
 
 /// The space is not periodic.
@@ -41,12 +41,28 @@ struct Frames {
 
   void write_more(const hdf5::Label& label, const std::vector<double>& values) const {
     if (values.empty()) return;
-    const Group quantity = create_group(particles, label.name);
+    const Group quantity = beside_position(label.name);
+    const Axis time = time_of(quantity);
+    write_array(quantity, {"value", label.units, label.long_name}, values, {time, particle, xyz});
+  }
+
+  void write_codes(const hdf5::Label& label, const std::vector<std::int32_t>& codes,
+                   const std::vector<std::string>& meanings) const {
+    if (codes.empty()) return;
+    const Group quantity = beside_position(label.name);
+    const Axis time = time_of(quantity);
+    const hdf5::Label there{"value", label.units, label.long_name};
+    write_flags(write_array(quantity, there, codes, {time, particle}), meanings);
+  }
+
+  Group beside_position(const std::string& name) const {
+    Group quantity = create_group(particles, name);
     hdf5::link_again(particles, "position/step", quantity, "step");
     hdf5::link_again(particles, "position/time", quantity, "time");
-    const Axis time{hdf5::Dataset(H5Dopen2(quantity, "time", H5P_DEFAULT), "open time"),
-                    trajectory.time_s.size()};
-    write_array(quantity, {"value", label.units, label.long_name}, values, {time, particle, xyz});
+    return quantity;
+  }
+  Axis time_of(hid_t quantity) const {
+    return {hdf5::Dataset(H5Dopen2(quantity, "time", H5P_DEFAULT), "open time"), trajectory.time_s.size()};
   }
 };
 
@@ -60,6 +76,8 @@ void write_particles(hid_t group, const Trajectory& trajectory) {
   frames.write_first({"position", "m", "position"}, trajectory.position_m);
   frames.write_more({"velocity", "m s-1", "velocity"}, trajectory.velocity_m_s);
   frames.write_more({"force", "N", "force"}, trajectory.force_N);
+  frames.write_codes({"contact", "1", "on the surface of the rib cage"}, trajectory.contact,
+                     trajectory.contact_names);
 
   std::vector<std::int32_t> id(trajectory.particles);
   for (std::size_t i = 0; i < id.size(); ++i) id[i] = static_cast<std::int32_t>(i);
@@ -105,6 +123,9 @@ void write_connectivity(hid_t group, const Trajectory& trajectory) {
         write_count_axis(connectivity, {"fibre", "1", "muscle fibre"}, trajectory.fibres.size());
     const Axis end = write_count_axis(connectivity, {"fibre_end", "1", "end of a fibre"}, 2);
     write_cells(group, connectivity, {"fibres", "1", "particle at each end"}, fibre, end, trajectory.fibres);
+    if (!trajectory.fibre_activity.empty())
+      write_array(connectivity, {"fibre_activity", "1", "share of k_muscle, 0 where paralysed"},
+                  trajectory.fibre_activity, {fibre});
   }
   if (!trajectory.muscle_lines.empty()) {
     const auto& lines = trajectory.muscle_lines;
@@ -119,9 +140,9 @@ void write_connectivity(hid_t group, const Trajectory& trajectory) {
 
 }  // namespace
 
-void write_trajectory(hid_t group, const Trajectory& trajectory) {
+void write_trajectory(hid_t group, const Trajectory& trajectory, const std::string& version_of_trunk) {
   if (trajectory.particles == 0) return;
-  write_h5md(group);
+  write_h5md(group, version_of_trunk);
   write_particles(group, trajectory);
   write_connectivity(group, trajectory);
 }

@@ -45,6 +45,24 @@ void write_attribute(hid_t object, const std::string& name, std::span<const std:
                       Space(H5Screate_simple(1, &size, nullptr), "write " + name), values.data());
 }
 
+void write_attribute(hid_t object, const std::string& name, std::span<const std::int64_t> values) {
+  const hsize_t size = values.size();
+  write_raw_attribute(object, name, H5T_STD_I64LE, H5T_NATIVE_INT64,
+                      Space(H5Screate_simple(1, &size, nullptr), "write " + name), values.data());
+}
+
+void write_attribute(hid_t object, const std::string& name, std::int64_t value) {
+  write_raw_attribute(object, name, H5T_STD_I64LE, H5T_NATIVE_INT64,
+                      Space(H5Screate(H5S_SCALAR), "write " + name), &value);
+}
+
+void write_ascii_attribute(hid_t object, const std::string& name, const std::string& text) {
+  const Type type(H5Tcopy(H5T_C_S1), "prepare text");
+  require(H5Tset_size(type, text.size()), "prepare text");
+  require(H5Tset_strpad(type, H5T_STR_NULLPAD), "prepare text");
+  write_raw_attribute(object, name, type, type, Space(H5Screate(H5S_SCALAR), "write " + name), text.data());
+}
+
 void write_attribute(hid_t object, const std::string& name, std::int32_t value) {
   write_raw_attribute(object, name, H5T_STD_I32LE, H5T_NATIVE_INT32,
                       Space(H5Screate(H5S_SCALAR), "write " + name), &value);

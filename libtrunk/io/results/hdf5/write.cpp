@@ -55,6 +55,21 @@ void write_label(hid_t dataset, const Label& label) {
   if (!label.long_name.empty()) write_attribute(dataset, "long_name", label.long_name);
 }
 
+void attach(hid_t dataset, const Label& label, Axes axes) {
+  unsigned dimension = 0;
+  for (const Axis& axis : axes) {
+    require(H5DSattach_scale(dataset, axis.scale, dimension++), "name the axes of " + label.name);
+  }
+}
+
+std::string path_of(hid_t object) {
+  const auto size = require(H5Iget_name(object, nullptr, 0), "name a dataset");
+  std::string path(static_cast<std::size_t>(size) + 1, '\0');
+  require(H5Iget_name(object, path.data(), path.size()), "name a dataset");
+  path.pop_back();
+  return path;
+}
+
 /// For what takes no filters: single values, and texts, whose bytes are elsewhere.
 /// Compact where it fits: the value lies in the object header, under its checksum.
 Properties unfiltered(std::size_t bytes) {
@@ -126,10 +141,25 @@ Dataset write_array(hid_t group, const Label& label, std::span<const Value> valu
   std::vector<hsize_t> shape;
   for (const Axis& axis : axes) shape.push_back(axis.size);
   Dataset dataset = write_shape(group, label, values, shape);
-  unsigned dimension = 0;
-  for (const Axis& axis : axes) {
-    require(H5DSattach_scale(dataset, axis.scale, dimension++), "name the axes of " + label.name);
-  }
+  attach(dataset, label, axes);
+  return dataset;
+}
+
+Dataset write_view(hid_t group, const Label& label, hid_t source_group, const std::string& source,
+                   Axes axes) {
+  const std::string doing = "write dataset " + label.name;
+  const Dataset original(H5Dopen2(source_group, source.c_str(), H5P_DEFAULT), "open " + source);
+  const Space original_space(H5Dget_space(original), doing);
+  const Type type(H5Dget_type(original), doing);
+  std::vector<hsize_t> shape;
+  for (const Axis& axis : axes) shape.push_back(axis.size);
+  const Space space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), doing);
+  Properties properties = dataset_properties();
+  require(H5Pset_virtual(properties, space, ".", path_of(original).c_str(), original_space), doing);
+  Dataset dataset(H5Dcreate2(group, label.name.c_str(), type, space, H5P_DEFAULT, properties, H5P_DEFAULT),
+                  doing);
+  write_label(dataset, label);
+  attach(dataset, label, axes);
   return dataset;
 }
 

@@ -36,8 +36,13 @@ void write_attribute(hid_t object, const std::string& name, std::string_view tex
 void write_attribute(hid_t object, const std::string& name, const char* text);
 void write_attribute(hid_t object, const std::string& name, std::span<const std::string> texts);
 void write_attribute(hid_t object, const std::string& name, std::span<const std::int32_t> values);
+void write_attribute(hid_t object, const std::string& name, std::span<const std::int64_t> values);
 void write_attribute(hid_t object, const std::string& name, std::int32_t value);
+void write_attribute(hid_t object, const std::string& name, std::int64_t value);
 void write_attribute(hid_t object, const std::string& name, std::uint64_t value);
+
+/// Text without an end sign, as VTK wants it.
+void write_ascii_attribute(hid_t object, const std::string& name, const std::string& text);
 
 /// An array over `axes`, row-major. Value is double, std::int32_t, std::int64_t or std::string.
 template <typename Value>
@@ -47,6 +52,10 @@ template <typename Value>
 Dataset write_array(hid_t group, const Label& label, const std::vector<Value>& values, Axes axes) {
   return write_array(group, label, std::span<const Value>(values), axes);
 }
+
+/// The numbers of another dataset of the file, `source` seen from `group`, in the same order over other
+/// `axes`: none are copied (an HDF5 virtual dataset).
+Dataset write_view(hid_t group, const Label&, hid_t source_group, const std::string& source, Axes axes);
 
 /// A one-dimensional array that is an axis itself.
 template <typename Value>

@@ -1,0 +1,46 @@
+#include <fmt/format.h>
+
+#include "commands/commands.hpp"
+#include "report/page.hpp"
+#include "results/target_file.hpp"
+
+namespace trunk {
+namespace {
+
+struct ReportRequest {
+  std::vector<std::string> files;
+  std::string output;
+};
+
+Exit report_command(const Common& common, const ReportRequest& request) {
+  const std::vector<std::filesystem::path> files(request.files.begin(), request.files.end());
+  require_apart(files, {request.output});
+  require_writable_target(request.output, common.force);
+  const std::string page = report_page(files);
+  replace_file(request.output, std::as_bytes(std::span(page)));
+  print_result(common, {{"schema", "trunk.report/1"}, {"file", request.output}, {"bytes", page.size()}},
+               fmt::format("Written to {} ({:.2f} MB): open it in a browser", request.output,
+                           1e-6 * static_cast<double>(page.size())));
+  return Exit::done;
+}
+
+}  // namespace
+
+void add_report(CLI::App& app, Common& common, Run& run) {
+  auto* command = app.add_subcommand(
+      "report", "Make a page to look at in a browser: the trunk as it breathes, curves, fit or sweep");
+  const auto request = std::make_shared<ReportRequest>();
+  command
+      ->add_option("FILE", request->files,
+                   "run, fit or sweep (HDF5), or two runs or fits to show side by side")
+      ->required()
+      ->expected(1, 2);
+  command->add_option("-o,--output", request->output, "page (HTML); it needs no network and no other file")
+      ->required();
+  command->add_flag("--json", common.json, "print one JSON object");
+  command->add_flag("--force", common.force, "replace the page if it exists");
+  command->callback(
+      [&common, &run, request] { run = [&common, request] { return report_command(common, *request); }; });
+}
+
+}  // namespace trunk

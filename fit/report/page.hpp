@@ -1,0 +1,14 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace trunk {
+
+/// One self-contained HTML page of one or two results files: it loads nothing, and shows texts of the files
+/// as texts only. The same files give the same bytes. Throws InputError as reading the files does, and where
+/// two files cannot stand side by side.
+std::string report_page(const std::vector<std::filesystem::path>& files);
+
+}  // namespace trunk

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace trunk {
+
+/// What a file that is not HDF5 looks like, and which command takes it: "a scenario or other TOML; …". Goes
+/// by its first bytes, then by its name.
+std::string look_of(const std::filesystem::path& path);
+
+}  // namespace trunk

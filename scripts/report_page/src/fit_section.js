@@ -1,0 +1,247 @@
+// A fit: its verdict, parameters with intervals, the curve against the measurement, the likelihood, the search.
+
+import { chart } from './charts.js';
+import { numberNamed } from './data.js';
+import { h, note, section, svg, table } from './dom.js';
+import { frame, key, path, roomy, scale } from './drawing.js';
+import { surfaceDrawing } from './surface.js';
+import { nameText, numberText, quantity, shortName, unitText, withUnit, words } from './words.js';
+
+function verdict(parent, fit, status) {
+  const { result } = fit;
+  const text = result.verdict || 'This file holds no verdict.';
+  const { first, second, agree } = result.cross_check;
+  const facts = [
+    status && `Status: ${words(status)}`,
+    result.algorithm && `search: ${words(result.algorithm)}`,
+    result.stop_reason,
+    second && `${first} and ${second} ${agree ? 'agree' : 'do not agree'}`,
+  ].filter(Boolean);
+  section(
+    parent,
+    'Verdict',
+    h('p', { class: result.identifiable ? 'verdict' : 'verdict warned' }, text),
+    h('p', null, `${facts.join('; ')}.`),
+    ...result.notes.map((text) => note(text)),
+    baseline(result.statistics),
+  );
+}
+
+function baseline(statistics) {
+  const [ours, theirs] = ['nrmse_percent', 'baseline_nrmse_percent'].map((name) => numberNamed(statistics, name));
+  if (!Number.isFinite(ours) || !Number.isFinite(theirs)) return note('This file holds no baseline to compare with.');
+  const most = Math.max(ours, theirs) || 1;
+  const row = (label, value, ink) => {
+    const fill = h('span', { class: `fill swatch-${ink}` });
+    fill.style.width = `${(100 * value) / most}%`;
+    return h('div', { class: 'readout' }, h('span', null, label), h('output', null, quantity(value, 'percent', 3)), h('span', { class: 'gauge' }, fill));
+  };
+  const [bic, baseBic] = ['bic', 'baseline_bic'].map((name) => numberNamed(statistics, name));
+  const better = Number.isFinite(bic - baseBic) ? ` BIC ${numberText(bic, 5)} against ${numberText(baseBic, 5)}: ${bic < baseBic ? 'the trunk' : 'the one-compartment model'} explains the trace better for its number of parameters.` : '';
+  return h('div', { class: 'baseline' }, h('h3', null, 'Residual (RMS, of the tidal volume) against the baseline'), h('div', { class: 'readouts' }, row('this trunk', ours, 'blue'), row('one-compartment model', theirs, 'grey')), better ? h('p', null, better) : null);
+}
+
+const fitted = (parameters) => parameters.filter((p) => p.free || p.beside);
+
+/** The best value in its interval, drawn. */
+function interval(p) {
+  const { best, lower95: low, upper95: high } = p;
+  if (![best, low, high].every(Number.isFinite)) return 'interval not known';
+  const room = 0.35 * (high - low) || Math.abs(best) * 0.1 || 1;
+  const x = scale([Math.min(low, p.best) - room, Math.max(high, p.best) + room], [0, 180]);
+  return svg(
+    'svg',
+    { viewBox: '0 0 180 20', class: 'interval', 'aria-hidden': 'true' },
+    svg('line', { x1: 0, x2: 180, y1: 10, y2: 10, class: 'thin' }),
+    svg('line', { x1: x(low), x2: x(high), y1: 10, y2: 10, class: 'thick' }),
+    svg('circle', { cx: x(best), cy: 10, r: 4.5, class: 'best' }),
+  );
+}
+
+function parameters(parent, fit) {
+  const rows = fitted(fit.parameters).map((p) => [
+    p.name,
+    numberText(p.best, 5),
+    numberText(p.stderr, 3),
+    `${numberText(p.lower95, 4)} to ${numberText(p.upper95, 4)}`,
+    unitText(p.unit),
+    interval(p),
+    [p.at_bound ? 'AT ITS BOUND' : '', p.beside ? 'estimated beside' : ''].filter(Boolean).join(', '),
+  ]);
+  const statistics = fit.result.statistics.map((s) => [nameText(s.name), numberText(s.value, 5), unitText(s.unit)]);
+  section(
+    parent,
+    'What was estimated',
+    table(['parameter', 'best', 'standard error', '95 % interval', 'unit', 'best and interval', ''], rows, { caption: 'Parameters with 95 % intervals (each drawn on its own scale)', numeric: [1, 2, 3] }),
+    h('details', null, h('summary', null, 'All statistics'), table(['', 'value', 'unit'], statistics, { numeric: [1] })),
+  );
+}
+
+function curves(parent, fit, clock) {
+  const { measured, result } = fit;
+  const box = section(parent, 'Model against measurement');
+  if (!measured?.measured || !result.dV_fit) {
+    box.append(note('This file holds no measured curve.'));
+    return;
+  }
+  const grid = h('div', { class: 'charts' });
+  box.append(grid);
+  const series = [];
+  if (measured.sigma) {
+    const edge = (sign) => ({ time: measured.time, values: measured.measured.map((v, i) => v + sign * measured.sigma[i]), colour: 'band-edge', width: 0.5 });
+    series.push({ ...edge(1), label: 'measured + 1 SD', band: 'band', unnamed: true }, { ...edge(-1), label: 'measured − 1 SD', unnamed: true });
+  }
+  series.push({ label: 'measured', time: measured.time, values: measured.measured, colour: 'grey' }, { label: 'model', time: result.time, values: result.dV_fit, colour: 'blue', style: 1 });
+  if (result.dV_baseline) series.push({ label: 'one compartment', time: result.time, values: result.dV_baseline, colour: 'green', style: 2 });
+  chart(grid, { title: 'Lung volume above end-expiration, ΔV', unit: 'ml', series, clock, zero: true, height: 260 });
+  const residuals = [{ label: 'model − measured', time: result.time, values: result.residual, colour: 'orange' }];
+  if (result.dV_baseline) residuals.push({ label: 'one compartment − measured', time: result.time, values: result.dV_baseline.map((v, i) => v - measured.measured[i]), colour: 'green', style: 2 });
+  chart(grid, { title: 'Residual of ΔV', unit: 'ml', series: residuals, clock, zero: true, height: 260 });
+  if (measured.sigma) box.append(note('Shaded: measured ± 1 standard deviation over the breaths.'));
+  if (!result.dV_baseline) box.append(note('The curve of the one-compartment model is not in this file; its residual stands in the verdict.'));
+}
+
+function profileDrawing(profile) {
+  const { value, deviance } = profile;
+  const [low, high] = profile.interval95;
+  const drawn = value.map((v, i) => [v, deviance[i]]).filter(([v, d]) => v !== null && d !== null);
+  const threshold = 3.841;
+  const ends = [low, high].map((v) => (Number.isFinite(v) ? numberText(v, 4) : 'not closed'));
+  const log = Math.min(...drawn.map(([v]) => v)) > 0;
+  return frame(
+    {
+      title: `Profile of ${profile.name}`,
+      summary: `95 % interval ${ends.join(' to ')} ${unitText(profile.unit)}`,
+      x: { label: withUnit(profile.name, profile.unit), range: roomy(drawn.map(([v]) => v), { log }), log },
+      y: { label: 'deviance above its best', range: [0, Math.max(1.4 * threshold, Math.min(20, 1.05 * Math.max(...drawn.map(([, d]) => d))))] },
+      width: 380,
+      height: 260,
+    },
+    (inner, x, y) => {
+      const [from, to] = [low ?? x.domain[0], high ?? x.domain[1]];
+      inner.append(
+        svg('rect', { class: 'inside', x: x(from), width: Math.max(0, x(to) - x(from)), y: 0, height: 260 }),
+        svg('line', { class: 'threshold', x1: 0, x2: 380, y1: y(threshold), y2: y(threshold) }),
+        path(drawn.map(([v, d]) => [x(v), y(d)]), { class: 'line blue' }),
+        ...drawn.map(([v, d], i) => svg('circle', { cx: x(v), cy: y(d), r: 3, class: profile.at_bound[i] ? 'dot orange' : 'dot blue' })),
+      );
+    },
+  );
+}
+
+function likelihood(parent, fit) {
+  const box = section(parent, 'Likelihood');
+  const few = fit.surface && fit.profiles.length <= 2;
+  const drawings = h('div', { class: few ? 'drawings beside-each-other' : 'drawings' });
+  box.append(drawings);
+  if (fit.surface) drawings.append(surfaceDrawing(fit.surface, fit));
+  else box.append(note('The likelihood surface is not in this file: it is made where two parameters are free (fit --surface N forces it).'));
+  const profiles = h('div', { class: 'drawings profiles' }, fit.profiles.map(profileDrawing));
+  (few ? drawings : box).append(profiles);
+  if (fit.profiles.length === 0) box.append(note('Profiles are not in this file (fit --profiles forces them).'));
+  else {
+    box.append(
+      key([
+        { label: 'profile: the fit as one parameter is moved and the others follow', colour: 'blue' },
+        { label: '95 % level, 3.84', colour: 'grey', style: 'dashed' },
+        { label: 'shaded: 95 % interval', colour: 'inside', style: 'block' },
+        { label: 'another parameter sat on its bound', colour: 'orange', style: 'dot' },
+      ]),
+    );
+  }
+}
+
+function convergence(parent, fit) {
+  const box = section(parent, 'Convergence');
+  if (fit.objective.length === 0) {
+    box.append(note('The evaluations of the search are not in this file.'));
+    return;
+  }
+  const { objective } = fit;
+  const tried = Array.from(objective, (v, i) => [i + 1, v]);
+  const done = tried.filter(([, v]) => Number.isFinite(v) && v > 0);
+  if (done.length === 0) {
+    box.append(note('Every simulation of this search failed.'));
+    return;
+  }
+  let best = Infinity;
+  const steps = done.flatMap(([i, v]) => {
+    const before = best;
+    best = Math.min(best, v);
+    return Number.isFinite(before) ? [[i, before], [i, best]] : [[i, best]];
+  });
+  const failed = tried.length - done.length;
+  box.append(
+    frame(
+      {
+        title: 'The objective over the search',
+        summary: `${tried.length} simulations, ${failed} failed, best ${numberText(best)}`,
+        x: { label: 'simulation', range: [0, tried.length + 1] },
+        y: { label: 'objective (no unit)', range: roomy(done.map(([, v]) => v), { log: true }), log: true },
+        width: 720,
+        height: 260,
+        wide: true,
+      },
+      (inner, x, y) =>
+        inner.append(
+          ...done.map(([i, v]) => svg('circle', { cx: x(i), cy: y(v), r: 2, class: 'dot grey' })),
+          path(steps.map(([i, v]) => [x(i), y(v)]), { class: 'line blue' }),
+        ),
+    ),
+    key([{ label: 'each simulation', colour: 'grey', style: 'dot' }, { label: 'the best so far', colour: 'blue' }]),
+    h('p', null, `${tried.length} simulations, ${failed} failed; the best objective is ${numberText(best, 6)}.`),
+  );
+}
+
+function breaths(parent, { breaths: found }) {
+  if (!found) return;
+  const column = (name) => found.columns.find((c) => c.name === name);
+  const [number, muscle, low, high] = ['number', 'k_muscle', 'k_muscle_lower95', 'k_muscle_upper95'].map(column);
+  const box = section(parent, 'Breath by breath');
+  if (number && muscle && low && high)
+    box.append(
+      frame(
+        {
+          title: 'k_muscle of each breath, with 95 % interval',
+          x: { label: 'breath', range: roomy(number.values) },
+          y: { label: withUnit('k_muscle', muscle.unit), range: roomy([...low.values, ...high.values, ...muscle.values]) },
+          width: 720,
+          wide: true,
+        },
+        (inner, x, y) =>
+          number.values.forEach((n, i) => {
+            if (muscle.values[i] === null) return;
+            if (low.values[i] !== null && high.values[i] !== null) inner.append(svg('line', { class: 'line blue', x1: x(n), x2: x(n), y1: y(low.values[i]), y2: y(high.values[i]) }));
+            inner.append(svg('circle', { cx: x(n), cy: y(muscle.values[i]), r: 4, class: 'dot blue' }));
+          }),
+      ),
+    );
+  const heads = [...found.columns.map((c) => withUnit(shortName(c.name), c.unit)), 'status'];
+  const rows = found.status.map((status, i) => [...found.columns.map((c) => numberText(c.values[i], 5)), status]);
+  box.append(table(heads, rows, { caption: 'Fitted breaths', numeric: found.columns.map((_, i) => i) }));
+}
+
+function predictions(parent, fit) {
+  if (fit.predictions.length === 0) return;
+  const rows = fit.predictions.map(({ name, numbers }) => {
+    const range = (of) => ['', '_lower95', '_upper95'].map((end) => numberText(numberNamed(numbers, of + end), 4));
+    const text = ([value, low, high]) => `${value} (${low} to ${high})`;
+    return [name, text(range('delta_v_ml')), text(range('own_delta_v_ml')), text(range('ratio_percent'))];
+  });
+  section(
+    parent,
+    'What the fit makes of other scenarios',
+    table(['scenario', 'ΔV there (ml)', 'ΔV in its own scenario (ml)', 'ratio (%)'], rows, { caption: 'Predictions with 95 % intervals', numeric: [1, 2, 3] }),
+  );
+}
+
+export function fitSections(parent, file, clock) {
+  const { fit } = file;
+  verdict(parent, fit, file.status);
+  curves(parent, fit, clock);
+  parameters(parent, fit);
+  likelihood(parent, fit);
+  convergence(parent, fit);
+  breaths(parent, fit);
+  predictions(parent, fit);
+}
