@@ -165,7 +165,7 @@ class Results(TrunkTest):
                 self.refuses(self.data[:part])
 
     def test_foreign(self):
-        self.refuses("time_s,volume_ml\n0,1\n", "x.h5: is not an HDF5 file but text")
+        self.refuses("time_s,volume_ml\n0,1\n", "x.h5: is not an HDF5 file, expected a results file of trunk; it looks like text")
         self.refuses(b"")
         self.refused("inspect", "none.h5", says="none.h5: no such file")
         self.refused("inspect", ".", says=r"trunk: \.: ")

@@ -138,6 +138,6 @@ TEST_CASE("what is not HDF5 is called by its name", "[results]") {
   CHECK_THAT(said_of("trace.csv", "time_s,volume_ml\n"), Contains("`trunk breaths`"));
   CHECK_THAT(said_of("report.html", "<!doctype html>"), Contains("web page"));
   CHECK_THAT(said_of("trunk.pml", "<?xml version=\"1.0\"?>"), Contains("XML"));
-  CHECK_THAT(said_of("x", "hello"), Contains("is not an HDF5 file but text"));
-  CHECK_THAT(said_of("y", "\x01\x02"), Contains("not known here"));
+  CHECK_THAT(said_of("x", "hello"), Contains("expected a results file of trunk; it looks like text"));
+  CHECK_THAT(said_of("y", "\x01\x02"), Contains("nothing known here"));
 }

@@ -61,7 +61,7 @@ inline RunRecord sample_run() {
     trajectory.time_s.push_back(0.01 * frame);
     for (int i = 0; i < 9; ++i) trajectory.position_m.push_back(std::sin(0.1 * frame + i));
   }
-  trajectory.velocity_m_s = trajectory.position_m;
+  for (const double x : trajectory.position_m) trajectory.velocity_m_s.push_back(2 * x + 1);
   trajectory.mass_kg = {0.2, 0.2, 0.2};
   trajectory.region = {0, 1, 1};
   trajectory.region_names = {"lung", "central tendon"};

@@ -47,7 +47,7 @@ std::string look_of(const std::filesystem::path& path) {
   for (const Look& look : looks)
     if (look.begin.empty() ? path.extension() == look.extension : bytes.starts_with(look.begin))
       return std::string(look.meaning);
-  return is_text(bytes) ? "text" : "of a kind that is not known here, or damaged in its first bytes";
+  return is_text(bytes) ? "text" : "nothing known here, or is damaged in its first bytes";
 }
 
 }  // namespace trunk

@@ -28,7 +28,9 @@ void require_hdf5(const fs::path& path) {
   if (fs::file_size(path, unreadable) == 0 || unreadable) refuse(unreadable ? "cannot be read" : "is empty");
   const htri_t is_hdf5 = H5Fis_hdf5(path.c_str());
   if (is_hdf5 < 0) refuse("cannot be read");
-  if (is_hdf5 == 0) throw InputError(path.string(), 0, "is not an HDF5 file but " + look_of(path));
+  if (is_hdf5 == 0)
+    throw InputError(path.string(), 0,
+                     "is not an HDF5 file, expected a results file of trunk; it looks like " + look_of(path));
 }
 
 hdf5::File open_file(const fs::path& path) {
