@@ -48,6 +48,10 @@ void apply_settings(const std::vector<std::string>& settings, ScenarioFile& file
 /// Builds the trunk and requires a stable time step. InputErrors name the file and line to change.
 Trunk build_trunk(const ScenarioFile& file);
 
+/// The two by themselves.
+Trunk assemble_trunk(const ScenarioFile& file);
+void require_stable(const ScenarioFile& file, const Trunk& trunk);
+
 /// The whole scenario as TOML, every key with its value: reading it gives the same scenario.
 std::string to_toml(const Scenario& scenario);
 

@@ -141,6 +141,7 @@ struct SweepRecord {
   std::string title, sweep_toml;
   std::vector<NamedColumn> columns;   ///< parameters and measures, each [R]
   std::vector<std::string> scenario;  ///< [R]
+  std::vector<std::string> subject;   ///< [R] or empty
   std::vector<std::string> status;    ///< [R]
   std::vector<std::string> error;     ///< [R], "" when there was none
   std::vector<std::string> run_file;  ///< [R], relative to the folder of the sweep file; "" when absent

@@ -14,6 +14,7 @@ Axis write_table(hid_t root, const SweepRecord& sweep) {
   const Group table = create_group(root, "table");
   Axis run = write_count_axis(table, {"run", "1", "run"}, sweep.status.size());
   write_array(table, {"scenario", "", "scenario"}, sweep.scenario, {run});
+  if (!sweep.subject.empty()) write_array(table, {"subject", "", "subject"}, sweep.subject, {run});
   for (const NamedColumn& column : sweep.columns) {
     if (layout::is_reproducible() && layout::is_clock_time(column.name)) continue;
     write_array(table, {column.name, layout::file_unit(column.unit), ""}, column.values, {run});
