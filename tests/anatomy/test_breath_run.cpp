@@ -96,8 +96,8 @@ TEST_CASE("The volume curve of a fit is that of the run", "[property][anatomy]")
 
 TEST_CASE("Breaths summarised side by side are those of each alone, also beside one that fails",
           "[property][anatomy]") {
-  Scenario scenario = laden("hemiparalysis_right");
-  scenario.time = {1e-3, 0.3};
+  Scenario scenario = shipped("hemiparalysis_right");
+  scenario.time.duration_s = 0.3;
   const Trunk trunk = make_trunk(scenario);
   std::vector<Trial<double>> trials(batch_lanes + 1, {scenario.parameters, scenario.activation});
   for (std::size_t i = 0; i < trials.size(); ++i)
