@@ -59,15 +59,14 @@ void enter(const SweepRow& row, std::size_t first_measure, SweepRecord& table) {
 }
 
 /// Rows may follow each other for one run: the curve is that of the last, as the other columns are.
-void enter_curves(const SweepFolder& folder, std::size_t longest, SweepRecord& table) {
-  for (std::size_t i = 0; i < longest; ++i)
-    table.curve_time_s.push_back(static_cast<double>(i) * curve_step_s);
-  table.curve_dV_ml.assign(table.status.size() * longest, no_number);
+void fill_curves(const SweepFolder& folder, std::size_t samples, std::size_t first,
+                 std::span<double> curves) {
+  std::fill(curves.begin(), curves.end(), no_number);
   folder.for_each_row([&](const SweepRow& row) {
-    if (row.run >= table.status.size()) return;
-    const auto at = table.curve_dV_ml.begin() + static_cast<std::ptrdiff_t>(row.run * longest);
-    std::fill_n(at, longest, no_number);
-    std::copy_n(row.curve.begin(), std::min(longest, row.curve.size()), at);
+    if (row.run < first || (row.run - first) * samples >= curves.size()) return;
+    const auto curve = curves.subspan((row.run - first) * samples, samples);
+    std::fill(curve.begin(), curve.end(), no_number);
+    std::copy_n(row.curve.begin(), std::min(samples, row.curve.size()), curve.begin());
   });
 }
 
@@ -101,7 +100,11 @@ TableOutcome write_table(const SweepDesign& design, const SweepFolder& folder, c
     enter(row, parameters, table);
     longest = std::max(longest, row.curve.size());
   });
-  enter_curves(folder, longest, table);
+  for (std::size_t i = 0; i < longest; ++i)
+    table.curve_time_s.push_back(static_cast<double>(i) * curve_step_s);
+  table.fill_curves_ml = [&](std::size_t first, std::span<double> curves) {
+    fill_curves(folder, longest, first, curves);
+  };
   table.provenance = provenance_of({}, argv);
   table.provenance.input_sha256 = folder.inputs();
 

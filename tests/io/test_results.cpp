@@ -155,7 +155,10 @@ SweepRecord sample_sweep() {
   sweep.error = {"", "step 12: no volume root"};
   sweep.run_file = {"run.h5", ""};
   sweep.curve_time_s = {0, 1, 2};
-  sweep.curve_dV_ml = {0, 400, 0, 0, 1, 2};
+  sweep.fill_curves_ml = [](std::size_t first, std::span<double> dV_ml) {
+    const std::vector<double> all = {0, 400, 0, 0, 1, 2};
+    std::copy_n(all.begin() + 3 * static_cast<std::ptrdiff_t>(first), dV_ml.size(), dV_ml.begin());
+  };
   sweep.provenance = sample_provenance();
   return sweep;
 }
@@ -224,7 +227,6 @@ TEST_CASE("what is optional may be absent, tables may be empty, texts long", "[r
 
   SweepRecord no_curves = sample_sweep();
   no_curves.curve_time_s.clear();
-  no_curves.curve_dV_ml.clear();
   write_sweep(folder.path / "no_curves.h5", no_curves);
   CHECK_THAT(describe_file(folder.path / "no_curves.h5"), Contains("[2, 0]"));
 

@@ -30,7 +30,7 @@ void write_curves(hid_t root, const SweepRecord& sweep, const Axis& run) {
   const Group curves = create_group(root, "curves");
   hdf5::link_again(root, "table/run", curves, "run");
   const Axis time = write_axis(curves, {"time", "s", "time"}, sweep.curve_time_s);
-  write_array(curves, {"dV", "ml", "volume change of the model"}, sweep.curve_dV_ml, {run, time});
+  hdf5::write_rows(curves, {"dV", "ml", "volume change of the model"}, sweep.fill_curves_ml, run, time);
 }
 
 std::string five_digits(std::size_t number) {
