@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cstring>
-#include <span>
 #include <sstream>
 
 #include "errors/input_error.hpp"
@@ -131,10 +130,6 @@ bool holds_another(const fs::path& folder, const std::string& mine, bool force) 
   return false;
 }
 
-void store_text(const fs::path& path, const std::string& text) {
-  replace_file(path, std::as_bytes(std::span(text)));
-}
-
 std::vector<fs::path> journals_in(const fs::path& folder) {
   std::vector<fs::path> files;
   if (fs::is_directory(folder / "journal"))
@@ -161,8 +156,8 @@ SweepFolder::SweepFolder(fs::path path, const SweepDesign& design, const Shard& 
     fingerprint_ = found;
     return;
   }
-  store_text(path_ / "sweep.toml", design.text);
-  store_text(path_ / "fingerprint", fingerprint_);
+  replace_file(path_ / "sweep.toml", design.text);
+  replace_file(path_ / "fingerprint", fingerprint_);
 }
 
 SweepFolder::SweepFolder(fs::path path)

@@ -1,38 +1,18 @@
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <mutex>
-#include <optional>
 #include <span>
 #include <vector>
 
-#include "results/records.hpp"
-#include "results/summary.hpp"
-#include "sweep/design.hpp"
-#include "sweep/journal.hpp"
+#include "sweep/batch.hpp"
 
 namespace trunk {
-
-inline constexpr double curve_step_s = 0.01;  // between the samples of a row's curve
-
-/// What came of a run: its row, and where it is to be kept in full its record.
-struct FinishedRun {
-  SweepRow row;
-  std::optional<RunRecord> record;
-};
-
-/// The row of a run that is on file.
-SweepRow row_of(std::size_t run, const RunSummary& summary);
 
 /// Simulates runs of a sweep. May be called from several threads.
 class SweepSimulator {
  public:
-  struct Limits {
-    double timeout_s = 0.0;           // for one run; 0: any
-    std::function<bool()> cancelled;  // asked while runs take longer than a second
-  };
-  SweepSimulator(const SweepDesign& design, Provenance provenance, Limits limits);
+  SweepSimulator(const SweepDesign& design, Provenance provenance, RunLimits limits);
   ~SweepSimulator();
 
   /// How many runs are best given at once.
@@ -49,7 +29,7 @@ class SweepSimulator {
 
   const SweepDesign& design_;
   Provenance provenance_;
-  Limits limits_;
+  RunLimits limits_;
   std::vector<std::vector<NamedValue>> subjects_;
   mutable std::mutex mutex_;
   mutable std::shared_ptr<const Ready> last_;  // runs of one model come one after the other

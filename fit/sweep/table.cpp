@@ -108,8 +108,7 @@ TableOutcome write_table(const SweepDesign& design, const SweepFolder& folder, c
   table.provenance = provenance_of({}, argv);
   table.provenance.input_sha256 = folder.inputs();
 
-  const std::string text = csv_of(table);
-  replace_file(folder.table_file(), std::as_bytes(std::span(text)));
+  replace_file(folder.table_file(), csv_of(table));
   write_sweep(folder.sweep_file(), table);
 
   const auto count = [&](const char* status) {

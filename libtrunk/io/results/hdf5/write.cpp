@@ -13,7 +13,7 @@ namespace {
 
 constexpr hsize_t chunk_bytes = hsize_t{1} << 20;  // the default chunk cache holds one such chunk
 constexpr hsize_t frames_per_chunk = 64;
-constexpr hsize_t bytes_at_once = hsize_t{64} << 20;
+constexpr hsize_t bytes_at_once = hsize_t{32} << 20;
 constexpr std::size_t largest_compact = 60000;  // HDF5: an object header message has less than 64 KiB
 
 void check_name(const std::string& name) {
