@@ -151,6 +151,7 @@ SweepFolder::SweepFolder(fs::path path, const SweepDesign& design, const Shard& 
       fs::remove_all(path_ / part);
     make_folder(path_);
   }
+  if (shard.count > 1) try_lock(*lock_, LockKind::shared);
   if (shard.count == 1) remove_half_files(path_ / "runs");
   if (const std::string found = read_fingerprint(path_); !found.empty()) {
     fingerprint_ = found;
