@@ -17,7 +17,7 @@ SCENARIOS = ROOT / "scenarios"
 PROGRAM = os.environ.get("TRUNK", str(ROOT / "build" / "trunk"))
 SHARED = Path(os.environ.get("TRUNK_SHARED", ROOT.parent / "shared"))
 HEALTHY = str(SCENARIOS / "healthy.toml")
-LIMIT_S = 60  # nothing here may hang
+LIMIT_S = 180  # nothing here may hang, sanitized and beside other work
 
 # Coarse steps and a short breath: for tests of the program, not of the physics.
 COARSE = ("--set", "time.dt_ms=3", "--set", "time.duration_s=0.3")

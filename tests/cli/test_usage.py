@@ -83,7 +83,8 @@ class Json(TrunkTest):
         self.file("s.toml", f'schema = "trunk.sweep/1"\nscenarios = ["{HEALTHY}"]\n[grid]\n"time.dt_ms" = [3]\n'
                             '"time.duration_s" = [0.3]\n')
         yield "simulate", HEALTHY, "-o", "r.h5", *COARSE
-        yield "fit", HEALTHY, "--trace", "t.csv", "-o", "f.h5", "--set", "time.dt_ms=3", "--fix", "k_elasticity=4000"
+        yield ("fit", HEALTHY, "--trace", "t.csv", "-o", "f.h5", "--set", "time.dt_ms=3", "--fix", "k_elasticity=4000",
+               "--timing", "trace", "--surface", "0")
         yield "breaths", "t.csv"
         yield "check", HEALTHY, "--trace", "t.csv"
         yield "sweep", "s.toml", "-o", "d"
