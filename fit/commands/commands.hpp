@@ -14,6 +14,7 @@ void add_breaths(CLI::App& app, Common& common, Run& run);
 void add_fit(CLI::App& app, Common& common, Run& run);
 void add_sweep(CLI::App& app, Common& common, Run& run);
 void add_status(CLI::App& app, Common& common, Run& run);
+void add_merge(CLI::App& app, Common& common, Run& run);
 void add_validate(CLI::App& app, Common& common, Run& run);
 void add_inspect(CLI::App& app, Common& common, Run& run);
 void add_diff(CLI::App& app, Common& common, Run& run);

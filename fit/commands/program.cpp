@@ -52,6 +52,7 @@ int trunk::run_program(int argc, char** argv) {
   trunk::add_fit(app, common, run);
   trunk::add_sweep(app, common, run);
   trunk::add_status(app, common, run);
+  trunk::add_merge(app, common, run);
   trunk::add_validate(app, common, run);
   trunk::add_inspect(app, common, run);
   trunk::add_diff(app, common, run);

@@ -1,68 +1,142 @@
 #include <fmt/format.h>
 
+#include <charconv>
+
 #include "commands/commands.hpp"
+#include "errors/input_error.hpp"
 #include "sweep/run_sweep.hpp"
+#include "sweep/table.hpp"
 
 namespace trunk {
 namespace {
 
 struct SweepRequest {
-  std::string design, folder;
-  unsigned threads = 0;
+  std::string design, folder, shard;
+  SweepOptions options;
 };
 
-Exit sweep_command(const Common& common, const SweepRequest& request) {
+/// "k/n". Throws InputError.
+Shard shard_of(const std::string& text) {
+  if (text.empty()) return {};
+  Shard shard;
+  const char* end = text.data() + text.size();
+  const auto number = std::from_chars(text.data(), end, shard.number);
+  const bool slash = number.ec == std::errc() && number.ptr < end && *number.ptr == '/';
+  const auto count = slash ? std::from_chars(number.ptr + 1, end, shard.count) : number;
+  if (!slash || count.ec != std::errc() || count.ptr != end || shard.number < 1 ||
+      shard.number > shard.count || shard.count > 1'000'000)
+    throw InputError("--shard " + text + ": expected k/n with k from 1 to n, as in --shard 3/16");
+  return shard;
+}
+
+std::string duration(double seconds) {
+  if (seconds < 100) return fmt::format("{:.0f} s", seconds);
+  return seconds < 6000 ? fmt::format("{:.0f} min", seconds / 60) : fmt::format("{:.1f} h", seconds / 3600);
+}
+
+void show_progress(std::size_t done, std::size_t runs, double runs_per_s) {
+  print_progress(fmt::format("sweep: {} of {} runs, {:.4g} a second, {} left", done, runs, runs_per_s,
+                             duration(static_cast<double>(runs - done) / runs_per_s)));
+}
+
+Exit sweep_command(const Common& common, SweepRequest request) {
+  SweepOptions& options = request.options;
+  options.shard = shard_of(request.shard);
+  options.argv = common.argv;
   const SweepDesign design = read_sweep_design(request.design);
-  const SweepFolder folder(request.folder, design, common.force);
+  const SweepFolder folder(request.folder, design, options.shard, common.force);
   catch_interrupts();
   const auto start = std::chrono::steady_clock::now();
-  const SweepOutcome o = run_sweep(
-      design, folder, {request.threads, common.argv},
-      [](std::size_t done, std::size_t runs, double left_s) {
-        print_progress(fmt::format("sweep: {} of {} runs, {:.0f} s left", done, runs, left_s));
-      },
-      [] { return interrupted(); });
-  const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
+  const SweepOutcome o = run_sweep(design, folder, options, &show_progress, [] { return interrupted(); });
   if (!o.finished) {
     print_note(fmt::format("interrupted: {} of {} runs are done; the same command goes on from there",
                            o.found + o.simulated, o.runs));
     return Exit::interrupted;
   }
-  const Json json{{"schema", "trunk.sweep/1"},
-                  {"runs", o.runs},
-                  {"found", o.found},
-                  {"simulated", o.simulated},
-                  {"failed", o.failed},
-                  {"table", folder.table_file().string()},
-                  {"results", folder.sweep_file().string()},
-                  {"wall_s", wall.count()}};
-  print_result(
-      common, json,
-      fmt::format(
-          "{}: {} runs, {} found done, {} simulated in {:.1f} s, {} failed\nTable in {}, with curves in {}",
-          design.title, o.runs, o.found, o.simulated, wall.count(), o.failed, folder.table_file().string(),
-          folder.sweep_file().string()));
+  const bool whole = options.shard.count == 1;
+  if (whole) write_table(design, folder, common.argv);
+  const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
+  Json json{{"schema", "trunk.sweep/1"}, {"runs", o.runs},     {"found", o.found},
+            {"simulated", o.simulated},  {"failed", o.failed}, {"wall_s", wall.count()}};
+  if (whole) {
+    json["table"] = folder.table_file().string();
+    json["results"] = folder.sweep_file().string();
+  } else {
+    json["shard"] = request.shard;
+  }
+  const std::string next =
+      whole ? fmt::format("Table in {}, with curves in {}", folder.table_file().string(),
+                          folder.sweep_file().string())
+            : fmt::format("Shard {}; `trunk merge {}` writes the table when all have ended", request.shard,
+                          folder.path().string());
+  print_result(common, json,
+               fmt::format("{}: {} runs, {} found done, {} simulated in {:.1f} s, {} failed\n{}",
+                           design.title, o.runs, o.found, o.simulated, wall.count(), o.failed, next));
   return o.failed == 0 ? Exit::done : Exit::not_converged;
 }
 
 Exit status_command(const Common& common, const std::string& folder) {
   const SweepProgress p = progress_of(folder);
   print_result(common,
-               {{"schema", "trunk.status/1"}, {"runs", p.runs}, {"done", p.done}, {"has_table", p.has_table}},
-               fmt::format("{}: {} of {} runs done, table {}", folder, p.done, p.runs,
+               {{"schema", "trunk.status/1"},
+                {"runs", p.runs},
+                {"done", p.done},
+                {"failed", p.failed},
+                {"left", p.runs - p.done},
+                {"runs_per_s", p.runs_per_s},
+                {"has_table", p.has_table}},
+               fmt::format("{}: {} of {} runs done, {} of them failed, {} left, {:.4g} a second, table {}",
+                           folder, p.done, p.runs, p.failed, p.runs - p.done, p.runs_per_s,
                            p.has_table ? "written" : "not written yet"));
   return Exit::done;
+}
+
+Exit merge_command(const Common& common, const std::string& path) {
+  const SweepFolder folder(path);
+  const TableOutcome o = write_table(folder.design(), folder, common.argv);
+  if (o.missing > 0)
+    print_note(
+        fmt::format("note: {} of {} runs are missing: their shards have not ended", o.missing, o.runs));
+  print_result(common,
+               {{"schema", "trunk.merge/1"},
+                {"runs", o.runs},
+                {"failed", o.failed},
+                {"missing", o.missing},
+                {"table", folder.table_file().string()},
+                {"results", folder.sweep_file().string()}},
+               fmt::format("{} runs, {} failed, {} missing\nTable in {}, with curves in {}", o.runs, o.failed,
+                           o.missing, folder.table_file().string(), folder.sweep_file().string()));
+  return o.failed + o.missing == 0 ? Exit::done : Exit::not_converged;
+}
+
+/// status and merge: a folder, and nothing else to say.
+void add_folder_command(CLI::App& app, Common& common, Run& run, const char* name, const char* what,
+                        Exit (*carry_out)(const Common&, const std::string&)) {
+  auto* command = app.add_subcommand(name, what);
+  const auto folder = std::make_shared<std::string>();
+  command->add_option("DIR", *folder, "folder of a sweep")->required();
+  command->add_flag("--json", common.json, "print one JSON object");
+  command->callback([&common, &run, folder, carry_out] {
+    run = [&common, folder, carry_out] { return carry_out(common, *folder); };
+  });
 }
 
 }  // namespace
 
 void add_sweep(CLI::App& app, Common& common, Run& run) {
-  auto* command =
-      app.add_subcommand("sweep", "Run scenarios over a grid of parameters; resumes what was interrupted");
+  auto* command = app.add_subcommand(
+      "sweep", "Run scenarios over a grid or a sample of parameters; resumes what was interrupted");
   const auto request = std::make_shared<SweepRequest>();
+  SweepOptions& options = request->options;
   command->add_option("SWEEP", request->design, "sweep file (TOML)")->required();
   command->add_option("-o,--output", request->folder, "folder for the results")->required();
-  command->add_option("-j,--threads", request->threads, "threads [one a core]")->check(CLI::Range(1u, 1024u));
+  command->add_option("-j,--threads", options.threads, "threads [one a core]")->check(CLI::Range(1u, 1024u));
+  command->add_option("--shard", request->shard,
+                      "k/n: every n-th run from the k-th on, for one of n processes on the same folder; then "
+                      "`trunk merge`");
+  command->add_option("--timeout", options.timeout_s, "give up a run after so many seconds [never]")
+      ->check(CLI::Range(1e-3, 1e9));
+  command->add_flag("--retry-failed", options.retry_failed, "simulate again what failed or timed out before");
   command->add_flag("--json", common.json, "print one JSON object");
   command->add_flag("--force", common.force, "delete the runs of another sweep in that folder");
   command->callback(
@@ -70,12 +144,12 @@ void add_sweep(CLI::App& app, Common& common, Run& run) {
 }
 
 void add_status(CLI::App& app, Common& common, Run& run) {
-  auto* command = app.add_subcommand("status", "Show how far a sweep is");
-  const auto folder = std::make_shared<std::string>();
-  command->add_option("DIR", *folder, "folder of a sweep")->required();
-  command->add_flag("--json", common.json, "print one JSON object");
-  command->callback(
-      [&common, &run, folder] { run = [&common, folder] { return status_command(common, *folder); }; });
+  add_folder_command(app, common, run, "status", "Show how far a sweep is", &status_command);
+}
+
+void add_merge(CLI::App& app, Common& common, Run& run) {
+  add_folder_command(app, common, run, "merge", "Write the table of a sweep that was done in shards",
+                     &merge_command);
 }
 
 }  // namespace trunk

@@ -95,17 +95,15 @@ std::string scenario_text(const ScenarioFile& file) {
   return text + "\n";
 }
 
-std::vector<NamedValue> measures_of(const BreathRun& run) {
+std::vector<NamedValue> measures_of(const BreathSummary& run) {
   if (!run.summary.completed()) {  // half a breath has no measures
-    BreathRun unknown;
+    BreathSummary unknown;
     unknown.summary.status = Summary::Status::completed;
     std::vector<NamedValue> values = measures_of(unknown);
     for (NamedValue& v : values) v.value = std::nan("");
     return values;
   }
   const Measures& m = run.measures;
-  const double peak_Pa =
-      run.pressure_Pa.empty() ? 0.0 : *std::max_element(run.pressure_Pa.begin(), run.pressure_Pa.end());
   return {{"delta_v_ml", "ml", m.delta_v / ml},
           {"delta_v_percent", "percent", 100.0 * m.delta_v / m.end_expiratory_volume},
           {"end_expiratory_volume_ml", "ml", m.end_expiratory_volume / ml},
@@ -118,7 +116,7 @@ std::vector<NamedValue> measures_of(const BreathRun& run) {
           {"excursion_right_mm", "mm", m.excursion_right / mm},
           {"max_relative_volume_error", "1", run.max_relative_volume_error},
           {"flipped_triangles", "1", static_cast<double>(run.flipped_triangles)},
-          {"abdominal_pressure_peak_cmH2O", "cmH2O", peak_Pa / Pa_per_cmH2O}};
+          {"abdominal_pressure_peak_cmH2O", "cmH2O", run.peak_pressure_Pa / Pa_per_cmH2O}};
 }
 
 std::vector<NamedValue> parameters_of(const Candidate& candidate) {

@@ -8,7 +8,7 @@
 namespace trunk {
 
 /// The Table 1 row and what goes with it, in ml, mm and cmH2O, named as in `simulate --json`.
-std::vector<NamedValue> measures_of(const BreathRun& run);
+std::vector<NamedValue> measures_of(const BreathSummary& run);
 
 /// Every parameter a fit could vary, natural units.
 std::vector<NamedValue> parameters_of(const Candidate& candidate);

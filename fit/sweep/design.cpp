@@ -2,166 +2,80 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
-#include "errors/input_error.hpp"
-#include "io/text_file.hpp"
-#include "io/toml_values.hpp"
+#include <algorithm>
 
 namespace trunk {
 namespace {
 
-constexpr std::size_t most_runs = 1'000'000, largest_file = 1'000'000;
+/// Keys whose values the lanes of one simulation may differ in.
+bool varies_in_lanes(const SweepDesign::Axis& axis) {
+  return axis.key.starts_with("parameters.") || axis.key.starts_with("activation.");
+}
 
-struct Reader {
-  std::string file;
-
-  [[noreturn]] void fail(const toml::node& at, const std::string& text) const {
-    throw InputError(file, at.source().begin.line, text);
-  }
-
-  double number(const toml::node* node, const toml::node& parent, const std::string& what) const {
-    const auto value = node && node->is_number() ? node->value<double>() : std::nullopt;
-    if (!value || !std::isfinite(*value))
-      fail(node ? *node : parent,
-           fmt::format("{}: found {}, expected a finite number", what, node ? shown(*node) : "nothing"));
-    return *value;
-  }
-
-  std::vector<double> range(const toml::table& t, const std::string& key) const {
-    for (const auto& [name, node] : t)
-      if (name != "from" && name != "to" && name != "count" && name != "scale")
-        fail(node, fmt::format("unknown '{}' in {}, expected from, to, count and scale",
-                               std::string(name.str()), key));
-    const double from = number(t.get("from"), t, key + ".from"), to = number(t.get("to"), t, key + ".to");
-    const double count = number(t.get("count"), t, key + ".count");
-    const std::string scale = t["scale"].value_or(std::string("linear"));
-    if (count != std::floor(count) || count < 1 || count > static_cast<double>(most_runs))
-      fail(t, key + ".count: expected a whole number from 1");
-    if (scale != "linear" && scale != "log") fail(t, key + ".scale: expected \"linear\" or \"log\"");
-    if (scale == "log" && (from <= 0 || to <= 0)) fail(t, key + ": a log scale needs values above 0");
-    std::vector<double> values;
-    for (double i = 0; i < count; ++i) {
-      const double part = count > 1 ? i / (count - 1) : 0.0;
-      values.push_back(scale == "log" ? from * std::pow(to / from, part) : from + part * (to - from));
-    }
-    return values;
-  }
-
-  SweepDesign::Axis axis(const std::string& key, const toml::node& node) const {
-    SweepDesign::Axis axis{key, fmt::format("{}:{}", file, node.source().begin.line), {}};
-    if (const toml::array* list = node.as_array())
-      for (const toml::node& item : *list) axis.values.push_back(number(&item, node, key));
-    else if (const toml::table* table = node.as_table())
-      axis.values = range(*table, key);
-    if (axis.values.empty())
-      fail(node, key + ": expected a list of numbers or { from = 1, to = 2, count = 5, scale = \"log\" }");
-    return axis;
-  }
-
-  void grid(const toml::node& node, SweepDesign& design) const {
-    const toml::table* table = node.as_table();
-    if (!table)
-      fail(node, "grid: expected a table, as in [grid] and \"parameters.k_muscle_N_per_m\" = [20, 30]");
-    for (const auto& [key, value] : *table) {
-      const std::string name(key.str());
-      if (name.find('.') == std::string::npos)
-        fail(value,
-             fmt::format("grid key '{0}': expected the full name in quotes, as in \"parameters.{0}\"", name));
-      design.axes.push_back(axis(name, value));
-    }
-  }
-
-  void scenarios(const toml::node& node, SweepDesign& design) const {
-    const toml::array* list = node.as_array();
-    if (!list || list->empty()) fail(node, "scenarios: expected a list of scenario files");
-    for (const toml::node& item : *list) {
-      const auto name = item.value_exact<std::string>();
-      if (!name) fail(item, "scenarios: expected file names in quotes");
-      const auto path = std::filesystem::path(file).parent_path() / *name;
-      if (!std::filesystem::exists(path))
-        fail(item, fmt::format("there is no scenario file {}", path.string()));
-      design.scenarios.push_back(path);
-    }
-  }
-};
-
-/// A wrong key or value shows before the first run, not after an hour.
-void try_everything(const SweepDesign& design) {
-  for (const auto& scenario : design.scenarios) {
-    const ScenarioFile file = read_scenario(scenario);
-    for (const auto& axis : design.axes)
-      for (double value : axis.values) {
-        ScenarioFile trial = file;
-        apply_settings(std::vector<Setting>{{axis.key, fmt::format("{}", value), axis.where}}, trial);
-      }
-  }
+/// Takes the last digit, of that base, off a number.
+std::size_t take_digit(std::size_t& number, std::size_t base) {
+  const std::size_t digit = number % base;
+  number /= base;
+  return digit;
 }
 
 }  // namespace
 
 std::size_t SweepDesign::runs() const noexcept {
-  std::size_t count = scenarios.size();
-  for (const Axis& axis : axes)
-    count = count > most_runs ? count
-                              : count * axis.values.size();  // no overflow: each factor is at most most_runs
-  return count;
+  constexpr std::size_t too_many = std::size_t{1} << 40;  // no overflow: each factor is smaller than 2^24
+  std::size_t count = scenarios.size() * std::max<std::size_t>(1, subjects.size());
+  for (const Axis& axis : grid) count = std::min(too_many, count * axis.values.size());
+  return std::min(too_many, count * points);
 }
 
-const std::filesystem::path& SweepDesign::scenario_of(std::size_t run) const {
-  return scenarios[run / (runs() / scenarios.size())];
+SweepDesign::Run SweepDesign::run(std::size_t number) const {
+  Run run{0, 0, std::vector<double>(grid.size())};
+  const std::size_t point = take_digit(number, points);
+  for (std::size_t a = grid.size(); a-- > 0;)
+    run.values[a] = grid[a].values[take_digit(number, grid[a].values.size())];
+  for (const Axis& axis : sample) run.values.push_back(axis.values[point]);
+  run.subject = take_digit(number, std::max<std::size_t>(1, subjects.size()));
+  run.scenario = number;
+  return run;
 }
 
-std::vector<double> SweepDesign::values_of(std::size_t run) const {
-  std::vector<double> values(axes.size());
-  for (std::size_t a = axes.size(); a-- > 0;) {
-    values[a] = axes[a].values[run % axes[a].values.size()];
-    run /= axes[a].values.size();
-  }
-  return values;
+std::string SweepDesign::scenario_name(std::size_t number) const {
+  return scenarios[run(number).scenario].path.stem().string();
 }
 
-std::vector<Setting> SweepDesign::settings_of(std::size_t run) const {
+std::string SweepDesign::subject_name(std::size_t number) const {
+  return subjects.empty() ? "" : subjects[run(number).subject].name;
+}
+
+std::vector<Setting> SweepDesign::settings_of(const std::vector<double>& values) const {
   std::vector<Setting> settings;
-  const std::vector<double> values = values_of(run);
-  for (std::size_t a = 0; a < axes.size(); ++a)
-    settings.push_back({axes[a].key, fmt::format("{}", values[a]), axes[a].where});
+  for (const Axis* axis : axes())
+    settings.push_back({axis->key, fmt::format("{}", values[settings.size()]), axis->where});
   return settings;
 }
 
-SweepDesign read_sweep_design(const std::filesystem::path& path) {
-  SweepDesign design;
-  design.path = path.string();
-  design.text = read_text_file(path, largest_file);
-  const Reader reader{design.path};
-  const toml::table root = parse_toml(design.text, design.path);
-  for (const auto& [key, node] : root) {
-    if (key == "schema") {
-      if (node.value_exact<std::string>() != "trunk.sweep/1")
-        reader.fail(node, "schema: expected \"trunk.sweep/1\"");
-    } else if (key == "title") {
-      design.title = node.value_or(design.title);
-    } else if (key == "scenarios") {
-      reader.scenarios(node, design);
-    } else if (key == "grid") {
-      reader.grid(node, design);
-    } else if (key == "output" && node.is_table() && node.as_table()->size() == 1) {
-      design.frame_every_ms =
-          reader.number(node.as_table()->get("frame_every_ms"), node, "output.frame_every_ms");
-      if (design.frame_every_ms <= 0) reader.fail(node, "output.frame_every_ms: expected more than 0");
-    } else {
-      reader.fail(node, fmt::format("unknown key '{}', expected schema, title, scenarios, [grid] or [output] "
-                                    "frame_every_ms",
-                                    std::string(key.str())));
-    }
+std::size_t SweepDesign::model_of(std::size_t number) const {
+  const std::size_t point = take_digit(number, points);
+  std::size_t model = 0, base = 1;
+  const auto append = [&](std::size_t digit, std::size_t size) {
+    model += base * digit;
+    base *= size;
+  };
+  if (!std::all_of(sample.begin(), sample.end(), &varies_in_lanes)) append(point, points);
+  for (std::size_t a = grid.size(); a-- > 0;) {
+    const std::size_t size = grid[a].values.size(), digit = take_digit(number, size);
+    if (!varies_in_lanes(grid[a])) append(digit, size);
   }
-  if (design.scenarios.empty())
-    throw InputError(design.path, 0, "names no scenarios, expected scenarios = [\"healthy.toml\"]");
-  if (design.runs() > most_runs)
-    throw InputError(design.path, 0,
-                     fmt::format("makes {} runs, expected at most {}", design.runs(), most_runs));
-  try_everything(design);
-  return design;
+  take_digit(number, std::max<std::size_t>(1, subjects.size()));
+  append(number, scenarios.size());
+  return model;
+}
+
+std::vector<const SweepDesign::Axis*> SweepDesign::axes() const {
+  std::vector<const Axis*> all;
+  for (const auto* part : {&grid, &sample})
+    for (const Axis& axis : *part) all.push_back(&axis);
+  return all;
 }
 
 }  // namespace trunk

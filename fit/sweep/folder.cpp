@@ -1,9 +1,13 @@
 #include "sweep/folder.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
+#include <algorithm>
 #include <charconv>
-#include <span>
+#include <cstring>
+#include <sstream>
 
 #include "errors/input_error.hpp"
 #include "io/text_file.hpp"
@@ -17,37 +21,74 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// First line the number of runs, second the hash of all that decides their results.
-std::string fingerprint_of(const SweepDesign& design) {
+constexpr std::size_t longest_text = 10'000'000;
+
+std::string program_text() {
   const Provenance program = provenance_of({}, "");
-  std::string all = program.version + program.git_sha + (program.git_dirty ? "+" : "") + design.text;
-  for (const auto& file : design.scenarios) {
-    const Scenario scenario = read_scenario(file).scenario;
-    all += to_toml(scenario);
-    if (scenario.mesh) all += trunk_pml(scenario);
+  return fmt::format("trunk {} {}{}", program.version, program.git_sha, program.git_dirty ? "+" : "");
+}
+
+/// Lines: the number of runs, the program, the hash of all that decides the results, then the hash and name
+/// of every file.
+std::string fingerprint_of(const SweepDesign& design) {
+  std::vector<fs::path> inputs;
+  std::string all = program_text() + design.text;
+  for (const auto& source : design.scenarios) {
+    const ScenarioFile file = read_scenario(source.path);
+    inputs.insert(inputs.end(), file.inputs.begin(), file.inputs.end());
+    all += to_toml(file.scenario);
+    if (file.scenario.mesh) all += trunk_pml(file.scenario);
   }
-  return fmt::format("{}\n{}\n", design.runs(), sha256_of_text(all));
+  for (const auto& source : design.subjects) inputs.push_back(source.path);
+  inputs.push_back(design.path);
+  std::string hashes;
+  for (const auto& [name, hash] : provenance_of(inputs, "").input_sha256)
+    hashes += fmt::format("{}  {}\n", hash, name);
+  for (const auto& source : design.subjects) all += sha256_of_file(source.path);
+  return fmt::format("{}\n{}\n{}\n{}", design.runs(), program_text(), sha256_of_text(all), hashes);
 }
 
 std::string read_fingerprint(const fs::path& folder) {
   const fs::path file = folder / "fingerprint";
-  return fs::exists(file) ? read_text_file(file, 1000) : "";
+  return fs::is_directory(folder) && fs::exists(file) ? read_text_file(file, longest_text) : "";
 }
 
-fs::path run_path(const fs::path& folder, std::size_t run) {
-  return folder / fmt::format("runs/{:05}.h5", run);
+/// The lines from a number on, counted from 0.
+std::vector<std::string> lines_from(std::size_t first, const std::string& fingerprint) {
+  std::istringstream text(fingerprint);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(text, line);) lines.push_back(line);
+  lines.erase(lines.begin(), lines.begin() + static_cast<std::ptrdiff_t>(std::min(first, lines.size())));
+  return lines;
+}
+
+/// What two fingerprints of the same sweep share: where its files were called from does not count.
+std::string identity(const std::string& fingerprint) {
+  std::size_t end = 0;
+  for (int line = 0; line < 3 && end != std::string::npos; ++line) end = fingerprint.find('\n', end + 1);
+  return fingerprint.substr(0, end);
+}
+
+std::size_t runs_in(const std::string& fingerprint, const fs::path& folder) {
+  std::size_t runs = 0;
+  const auto parsed = std::from_chars(fingerprint.data(), fingerprint.data() + fingerprint.size(), runs);
+  if (fingerprint.empty() || parsed.ec != std::errc())
+    throw InputError(folder.string(), 0, "holds no sweep, expected a folder written by `trunk sweep`");
+  return runs;
 }
 
 /// True for a new folder, and for one in which a sweep could only just begin.
 bool holds_nothing(const fs::path& folder) {
-  for (const auto& entry : fs::directory_iterator(folder))
-    if (entry.path().extension() != ".part" &&
-        !(entry.path().filename() == "runs" && fs::is_empty(entry.path())))
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    const bool empty_folder = (name == "runs" || name == "journal") && fs::is_empty(entry.path());
+    if (entry.path().extension() != ".part" && name != "lock" && name != "sweep.toml" && !empty_folder)
       return false;
+  }
   return true;
 }
 
-/// What a killed sweep left half written.
+/// What killed processes left half written.
 void remove_half_files(const fs::path& folder) {
   for (const auto& entry : fs::directory_iterator(folder))
     if (entry.path().extension() == ".part") fs::remove(entry.path());
@@ -59,54 +100,151 @@ void make_folder(const fs::path& path) {
     throw InputError(path.string(), 0, "cannot be made: there is no folder '" + parent.string() + "'");
   if (fs::exists(path) && !fs::is_directory(path))
     throw InputError(path.string(), 0, "is a file, expected a folder");
-  std::error_code error;
-  fs::create_directories(path / "runs", error);
-  if (error) throw InputError(path.string(), 0, "cannot be made: " + error.message());
+  for (const char* part : {"runs", "journal"}) {
+    std::error_code error;
+    fs::create_directories(path / part, error);
+    if (error) throw InputError(path.string(), 0, "cannot be made: " + error.message());
+  }
+  require_writable_target(path / "fingerprint", true);
+}
+
+fs::path without_slash(fs::path path) {
+  return path.filename().empty() ? path.parent_path() : path;  // DIR/
+}
+
+/// Throws InputError where the folder holds something that is not this sweep. True where it must be deleted.
+bool holds_another(const fs::path& folder, const std::string& mine, bool force) {
+  if (!fs::is_directory(folder)) return false;
+  const bool foreign =
+      !holds_nothing(folder);  // seen before the fingerprint, which another shard may just write
+  const std::string found = read_fingerprint(folder);
+  if (identity(found) == identity(mine)) return false;
+  if (force) return !found.empty();
+  if (!found.empty())
+    throw InputError(folder.string(), 0,
+                     "holds another sweep (its design, a scenario, a subject or the program differs); "
+                     "expected a new folder, "
+                     "or --force to delete its runs");
+  if (foreign)
+    throw InputError(folder.string(), 0, "is not empty and holds no sweep, expected a new folder or --force");
+  return false;
+}
+
+std::vector<fs::path> journals_in(const fs::path& folder) {
+  std::vector<fs::path> files;
+  if (fs::is_directory(folder / "journal"))
+    for (const auto& entry : fs::directory_iterator(folder / "journal"))
+      if (entry.is_regular_file()) files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  return files;
 }
 
 }  // namespace
 
-SweepFolder::SweepFolder(fs::path path, const SweepDesign& design, bool force) : path_(std::move(path)) {
-  if (path_.filename().empty()) path_ = path_.parent_path();  // DIR/
-  const std::string mine = fingerprint_of(design);
-  std::string found = fs::is_directory(path_) ? read_fingerprint(path_) : "";
-  if (found.empty() && fs::is_directory(path_) && !holds_nothing(path_) && !force)
-    throw InputError(path_.string(), 0, "is not empty and holds no sweep, expected a new folder or --force");
-  if (!found.empty() && found != mine) {
-    if (!force)
-      throw InputError(
-          path_.string(), 0,
-          "holds another sweep (its design, a scenario or the program differs); expected a new folder, "
-          "or --force to delete its runs");
-    fs::remove_all(path_ / "runs");
-    fs::remove(sweep_file());
-    fs::remove(table_file());
-    found.clear();
-  }
+SweepFolder::SweepFolder(fs::path path, const SweepDesign& design, const Shard& shard, bool force)
+    : path_(without_slash(std::move(path))), fingerprint_(fingerprint_of(design)) {
+  const bool replaces = holds_another(path_, fingerprint_, force);
   make_folder(path_);
-  require_writable_target(path_ / "fingerprint", true);
+  lock(shard.count == 1 || replaces ? LockKind::alone : LockKind::shared);
+  if (holds_another(path_, fingerprint_, force)) {
+    for (const char* part : {"runs", "journal", "sweep.h5", "table.csv", "fingerprint"})
+      fs::remove_all(path_ / part);
+    make_folder(path_);
+  }
+  if (shard.count > 1) try_lock(*lock_, LockKind::shared);
+  if (shard.count == 1) remove_half_files(path_ / "runs");
+  if (const std::string found = read_fingerprint(path_); !found.empty()) {
+    fingerprint_ = found;
+    return;
+  }
+  replace_file(path_ / "sweep.toml", design.text);
+  replace_file(path_ / "fingerprint", fingerprint_);
+}
+
+SweepFolder::SweepFolder(fs::path path)
+    : path_(without_slash(std::move(path))), fingerprint_(read_fingerprint(path_)) {
+  runs_in(fingerprint_, path_);
+  const auto lines = lines_from(1, fingerprint_);
+  if (lines.empty() || lines[0] != program_text())
+    throw InputError(path_.string(), 0,
+                     fmt::format("was written by {}, expected this program's version, {}: use the one it was "
+                                 "written by",
+                                 lines.empty() ? "another program" : lines[0], program_text()));
+  lock(LockKind::alone);
   remove_half_files(path_ / "runs");
-  if (found.empty()) replace_file(path_ / "fingerprint", std::as_bytes(std::span(mine)));
+}
+
+void SweepFolder::lock(LockKind kind) {
+  const fs::path file = path_ / "lock";
+  const int descriptor = open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+  if (descriptor < 0)
+    throw InputError(file.string(), 0, std::string("cannot be written: ") + std::strerror(errno));
+  lock_ = std::shared_ptr<const int>(new int(descriptor), [](const int* held) {
+    close(*held);
+    delete held;
+  });
+  if (!try_lock(descriptor, kind))
+    throw InputError(
+        path_.string(), 0,
+        "is in use by another process; expected to be alone: wait for it to end (shards, each with "
+        "its own --shard k/n, go together)");
 }
 
 fs::path SweepFolder::run_file(std::size_t run) const {
-  return run_path(path_, run);
+  return path_ / run_file_name(run);
 }
-std::string SweepFolder::run_file_name(std::size_t run) const {
-  return run_path("", run).string();
+std::string SweepFolder::run_file_name(std::size_t run) {
+  return fmt::format("runs/{:05}.h5", run);
 }
-bool SweepFolder::is_done(std::size_t run) const {
-  return is_complete(run_file(run));
+
+Journal SweepFolder::journal(const Shard& shard) const {
+  return {path_ / "journal" / fmt::format("{}-of-{}", shard.number, shard.count), identity(fingerprint_)};
+}
+
+void SweepFolder::for_each_row(const std::function<void(SweepRow)>& visit) const {
+  for (const fs::path& file : journals_in(path_)) read_journal(file, identity(fingerprint_), visit);
+}
+
+SweepDesign SweepFolder::design() const {
+  const fs::path file = path_ / "sweep.toml";
+  SweepDesign design = parse_sweep_design(read_text_file(file, longest_text), file.string());
+  if (design.runs() != runs_in(fingerprint_, path_))
+    throw InputError(file.string(), 0,
+                     fmt::format("makes {} runs, expected {}: it was changed", design.runs(),
+                                 runs_in(fingerprint_, path_)));
+  return design;
+}
+
+std::vector<std::pair<std::string, std::string>> SweepFolder::inputs() const {
+  std::vector<std::pair<std::string, std::string>> inputs;
+  for (const std::string& line : lines_from(3, fingerprint_)) {
+    const auto gap = std::min(line.find("  "), line.size());
+    inputs.emplace_back(line.substr(std::min(gap + 2, line.size())), line.substr(0, gap));
+  }
+  return inputs;
 }
 
 SweepProgress progress_of(const fs::path& folder) {
+  constexpr double recent_s = 60.0;
   SweepProgress progress;
-  const std::string found = fs::is_directory(folder) ? read_fingerprint(folder) : "";
-  const auto parsed = std::from_chars(found.data(), found.data() + found.size(), progress.runs);
-  if (found.empty() || parsed.ec != std::errc())
-    throw InputError(folder.string(), 0, "holds no sweep, expected a folder written by `trunk sweep`");
-  for (std::size_t run = 0; run < progress.runs; ++run)
-    progress.done += is_complete(run_path(folder, run)) ? 1 : 0;
+  const std::string fingerprint = read_fingerprint(folder);
+  progress.runs = runs_in(fingerprint, folder);
+  std::vector<char> state(std::min<std::size_t>(progress.runs, 1 << 24), 0);  // 1 completed, 2 failed
+  std::vector<double> ended_at;
+  for (const fs::path& file : journals_in(folder))
+    read_journal(file, identity(fingerprint), [&](const SweepRow& row) {
+      if (row.run >= state.size()) return;
+      state[row.run] = row.status == "completed" ? 1 : 2;
+      ended_at.push_back(row.ended_at);
+    });
+  progress.failed = static_cast<std::size_t>(std::count(state.begin(), state.end(), 2));
+  progress.done = progress.failed + static_cast<std::size_t>(std::count(state.begin(), state.end(), 1));
+  std::sort(ended_at.begin(), ended_at.end());
+  if (!ended_at.empty()) {
+    const auto first = std::lower_bound(ended_at.begin(), ended_at.end(), ended_at.back() - recent_s);
+    const double lasted_s = ended_at.back() - *first;
+    if (lasted_s > 0.0) progress.runs_per_s = static_cast<double>(ended_at.end() - first - 1) / lasted_s;
+  }
   progress.has_table = fs::exists(folder / "sweep.h5");
   return progress;
 }

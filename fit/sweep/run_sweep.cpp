@@ -2,85 +2,113 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 
-#include "errors/input_error.hpp"
 #include "parallel/workers.hpp"
 #include "recording/provenance.hpp"
-#include "recording/run_record.hpp"
 #include "results/run_file.hpp"
-#include "sweep/table.hpp"
+#include "sweep/simulator.hpp"
 
 namespace trunk {
 namespace {
 
-/// What a worker hands back: a run to store, or why there is none.
-struct Finished {
-  std::size_t run = 0;
-  std::optional<RunRecord> record;
-  std::string error;
+enum class RunState : char { open, completed, failed };
+
+/// What is known of the runs of a shard, without their rows: memory does not grow with what they hold.
+class RunStates {
+ public:
+  explicit RunStates(std::size_t runs) : states_(runs, RunState::open) {}
+
+  void note(const SweepRow& row) {
+    if (row.run < states_.size())
+      states_[row.run] = row.status == "completed" ? RunState::completed : RunState::failed;
+  }
+  void reopen(std::size_t run) { states_[run] = RunState::open; }
+  RunState operator[](std::size_t run) const { return states_[run]; }
+
+ private:
+  std::vector<RunState> states_;
 };
 
-Finished simulate_run(const SweepDesign& design, std::size_t run, const Provenance& provenance) {
-  try {
-    ScenarioFile file = read_scenario(design.scenario_of(run));
-    apply_settings(design.settings_of(run), file);
-    const Trunk trunk = build_timed_trunk(file);
-    const auto stride = std::lround(1e-3 * design.frame_every_ms / file.scenario.time.dt_s);
-    const BreathRun result = run_breath(trunk, file.scenario, std::max(1, static_cast<int>(stride)));
-    return {run, run_record(file, trunk, result, {}, provenance), ""};
-  } catch (const std::exception& error) {
-    return {run, std::nullopt, error.what()};
+/// Rows and files, told apart by what a crash can have left: a file without its row gives one, a row without
+/// its file is not done.
+RunStates states_in(const SweepDesign& design, const SweepFolder& folder, const SweepOptions& options,
+                    Journal& journal) {
+  RunStates states(design.runs());
+  std::vector<char> has_file(design.runs(), 0);
+  folder.for_each_row([&](const SweepRow& row) {
+    states.note(row);
+    if (row.run < has_file.size()) has_file[row.run] = row.has_file ? 1 : 0;
+  });
+  for (std::size_t run = 0; run < design.runs(); ++run) {
+    if (!options.shard.has(run)) continue;
+    const auto file = folder.run_file(run);
+    if (has_file[run] && !is_complete(file)) states.reopen(run);
+    if (design.store == SweepDesign::Store::full && states[run] == RunState::open && is_complete(file)) {
+      const SweepRow row = row_of(run, read_run_summary(file));
+      journal.append({&row, 1});
+      states.note(row);
+    }
+    if (options.retry_failed && states[run] == RunState::failed) states.reopen(run);
   }
+  return states;
 }
 
-SweepRow row_of(const Finished& finished) {
-  if (!finished.record) return {"invalid", finished.error, {}, {}, {}};
-  const RunRecord& r = *finished.record;
-  return {r.status, r.status == "completed" ? "" : r.message, r.measures, r.curve_time_s,
-          r.curves.front().values};
-}
-
-SweepRow row_of(const RunSummary& s) {
-  return {s.status, s.status == "completed" ? "" : s.message, s.measures, s.curve_time_s, s.curve_dV_ml};
+/// Runs in an order in which those of one model come together, in parts to be simulated side by side.
+std::vector<std::vector<std::size_t>> in_batches(const SweepDesign& design, std::vector<std::size_t> runs,
+                                                 std::size_t together) {
+  std::stable_sort(runs.begin(), runs.end(),
+                   [&](std::size_t a, std::size_t b) { return design.model_of(a) < design.model_of(b); });
+  std::vector<std::vector<std::size_t>> batches;
+  for (const std::size_t run : runs) {
+    const bool joins = !batches.empty() && batches.back().size() < together &&
+                       design.model_of(batches.back().front()) == design.model_of(run);
+    if (!joins) batches.emplace_back();
+    batches.back().push_back(run);
+  }
+  return batches;
 }
 
 }  // namespace
 
 SweepOutcome run_sweep(const SweepDesign& design, const SweepFolder& folder, const SweepOptions& options,
                        const SweepProgressNote& note, const std::function<bool()>& cancelled) {
+  Journal journal = folder.journal(options.shard);
+  RunStates states = states_in(design, folder, options, journal);
   SweepOutcome outcome;
-  outcome.runs = design.runs();
-  SweepTable table(design);
   std::vector<std::size_t> todo;
-  for (std::size_t run = 0; run < outcome.runs; ++run) {
-    if (folder.is_done(run)) {
-      table.add(run, folder.run_file_name(run), row_of(read_run_summary(folder.run_file(run))));
-      ++outcome.found;
-    } else {
-      todo.push_back(run);
-    }
+  for (std::size_t run = options.shard.number - 1; run < design.runs(); run += options.shard.count) {
+    ++outcome.runs;
+    if (states[run] == RunState::open) todo.push_back(run);
   }
+  outcome.found = outcome.runs - todo.size();
 
-  std::vector<std::filesystem::path> inputs = design.scenarios;
-  inputs.push_back(design.path);
-  const Provenance provenance = provenance_of(inputs, options.argv);
+  Provenance provenance = provenance_of({}, options.argv);
+  provenance.input_sha256 = folder.inputs();
+  const SweepSimulator simulator(design, provenance, {options.timeout_s, cancelled});
+  const auto batches = in_batches(design, std::move(todo), simulator.together());
+  std::vector<std::size_t> items(batches.size());
+  for (std::size_t i = 0; i < items.size(); ++i) items[i] = i;
+
   const auto start = std::chrono::steady_clock::now();
-  work_off<Finished>(
-      todo, options.threads, cancelled,
-      [&](std::size_t run) { return simulate_run(design, run, provenance); },
-      [&](Finished finished) {
-        if (finished.record) write_run(folder.run_file(finished.run), *finished.record);
-        table.add(finished.run, finished.record ? folder.run_file_name(finished.run) : "", row_of(finished));
-        ++outcome.simulated;
+  work_off<std::vector<FinishedRun>>(
+      items, options.threads, cancelled, [&](std::size_t i) { return simulator(batches[i]); },
+      [&](std::vector<FinishedRun> finished) {
+        std::vector<SweepRow> rows;
+        for (FinishedRun& f : finished) {
+          if (f.record) write_run(folder.run_file(f.row.run), *f.record);
+          states.note(f.row);
+          rows.push_back(std::move(f.row));
+        }
+        journal.append(rows);
+        outcome.simulated += rows.size();
         const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
-        const auto left = static_cast<double>(todo.size() - outcome.simulated);
         note(outcome.found + outcome.simulated, outcome.runs,
-             left * spent.count() / static_cast<double>(outcome.simulated));
+             static_cast<double>(outcome.simulated) / spent.count());
       });
+  journal.synchronise();
   outcome.finished = outcome.found + outcome.simulated == outcome.runs;
-  outcome.failed = table.failures();
-  if (outcome.finished) table.write(folder, provenance);
+  for (std::size_t run = 0; run < design.runs(); ++run)
+    if (options.shard.has(run) && states[run] == RunState::failed) ++outcome.failed;
   return outcome;
 }
 

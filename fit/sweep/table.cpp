@@ -7,22 +7,67 @@
 #include <limits>
 #include <span>
 
+#include "errors/input_error.hpp"
 #include "io/scenario_keys.hpp"
+#include "recording/provenance.hpp"
+#include "recording/run_record.hpp"
 #include "results/sweep_file.hpp"
 #include "results/target_file.hpp"
+#include "sweep/simulator.hpp"
 
 namespace trunk {
 namespace {
 
-constexpr double curve_step_s = 0.01;
-constexpr double missing = std::numeric_limits<double>::quiet_NaN();
+constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 
-/// The curve every curve_step_s: the nearest earlier sample, so that resuming from files loses no bit.
-std::vector<double> thinned(const std::vector<double>& time_s, const std::vector<double>& values) {
-  std::vector<double> curve;
-  for (std::size_t i = 0; i < time_s.size(); ++i)
-    if (time_s[i] >= static_cast<double>(curve.size()) * curve_step_s - 1e-9) curve.push_back(values[i]);
-  return curve;
+/// Empty columns: the parameters, then the measures.
+std::vector<NamedColumn> columns_for(const SweepDesign& design) {
+  std::vector<NamedColumn> columns;
+  for (const SweepDesign::Axis* axis : design.axes())
+    columns.push_back({axis->key, unit_of_key(axis->key), {}});
+  for (const NamedValue& m : measures_of(BreathSummary())) columns.push_back({m.name, m.unit, {}});
+  for (NamedColumn& c : columns) c.values.assign(design.runs(), no_number);
+  return columns;
+}
+
+SweepRecord empty_table(const SweepDesign& design) {
+  SweepRecord table;
+  table.title = design.title;
+  table.sweep_toml = design.text;
+  table.columns = columns_for(design);
+  for (std::size_t run = 0; run < design.runs(); ++run) {
+    const SweepDesign::Run r = design.run(run);
+    table.scenario.push_back(design.scenario_name(run));
+    if (!design.subjects.empty()) table.subject.push_back(design.subject_name(run));
+    for (std::size_t a = 0; a < r.values.size(); ++a) table.columns[a].values[run] = r.values[a];
+  }
+  table.status.assign(design.runs(), "missing");
+  table.error.resize(design.runs());
+  table.run_file.resize(design.runs());
+  return table;
+}
+
+void enter(const SweepRow& row, std::size_t first_measure, SweepRecord& table) {
+  const std::size_t run = row.run;
+  table.status[run] = row.status;
+  table.error[run] = row.error;
+  table.run_file[run] = row.has_file ? SweepFolder::run_file_name(run) : "";
+  const bool completed = row.status == "completed";
+  for (std::size_t m = 0; first_measure + m < table.columns.size(); ++m)
+    table.columns[first_measure + m].values[run] =
+        completed && m < row.measures.size() ? row.measures[m] : no_number;
+}
+
+/// Rows may follow each other for one run: the curve is that of the last, as the other columns are.
+void fill_curves(const SweepFolder& folder, std::size_t samples, std::size_t first,
+                 std::span<double> curves) {
+  std::fill(curves.begin(), curves.end(), no_number);
+  folder.for_each_row([&](const SweepRow& row) {
+    if (row.run < first || (row.run - first) * samples >= curves.size()) return;
+    const auto curve = curves.subspan((row.run - first) * samples, samples);
+    std::fill(curve.begin(), curve.end(), no_number);
+    std::copy_n(row.curve.begin(), std::min(samples, row.curve.size()), curve.begin());
+  });
 }
 
 std::string quoted(std::string text) {
@@ -30,74 +75,48 @@ std::string quoted(std::string text) {
   return text.find_first_of(",\n ") == std::string::npos ? text : '"' + text + '"';
 }
 
-}  // namespace
-
-SweepTable::SweepTable(const SweepDesign& design) : design_(design), rows_(design.runs()) {}
-
-void SweepTable::add(std::size_t run, std::string run_file, const SweepRow& row) {
-  rows_[run] = {row.status, row.error, std::move(run_file), row.measures,
-                thinned(row.curve_time_s, row.curve_dV_ml)};
-}
-
-std::size_t SweepTable::failures() const noexcept {
-  return static_cast<std::size_t>(std::count_if(rows_.begin(), rows_.end(), [](const Kept& k) {
-    return k.status != "completed" && k.status != "missing";
-  }));
-}
-
-std::vector<NamedColumn> SweepTable::columns() const {
-  std::vector<NamedColumn> columns;
-  for (const auto& axis : design_.axes) columns.push_back({axis.key, unit_of_key(axis.key), {}});
-  const auto with_measures =
-      std::find_if(rows_.begin(), rows_.end(), [](const Kept& k) { return !k.measures.empty(); });
-  const std::size_t measures = with_measures == rows_.end() ? 0 : with_measures->measures.size();
-  for (std::size_t m = 0; m < measures; ++m)
-    columns.push_back({with_measures->measures[m].name, with_measures->measures[m].unit, {}});
-  for (std::size_t run = 0; run < rows_.size(); ++run) {
-    const std::vector<double> values = design_.values_of(run);
-    for (std::size_t a = 0; a < values.size(); ++a) columns[a].values.push_back(values[a]);
-    const bool completed = rows_[run].status == "completed";
-    for (std::size_t m = 0; m < measures; ++m)
-      columns[values.size() + m].values.push_back(completed ? rows_[run].measures[m].value : missing);
-  }
-  return columns;
-}
-
-std::string SweepTable::csv() const {
-  const std::vector<NamedColumn> all = columns();
-  std::string text = "run,scenario,status,error";
-  for (const NamedColumn& c : all) text += "," + c.name;
-  for (std::size_t run = 0; run < rows_.size(); ++run) {
-    text += fmt::format("\n{},{},{},{}", run, quoted(design_.scenario_of(run).stem().string()),
-                        rows_[run].status, quoted(rows_[run].error));
-    for (const NamedColumn& c : all)
+std::string csv_of(const SweepRecord& table) {
+  const bool subjects = !table.subject.empty();
+  std::string text = subjects ? "run,scenario,subject,status,error" : "run,scenario,status,error";
+  for (const NamedColumn& c : table.columns) text += "," + c.name;
+  for (std::size_t run = 0; run < table.status.size(); ++run) {
+    text += fmt::format("\n{},{}", run, quoted(table.scenario[run]));
+    if (subjects) text += "," + quoted(table.subject[run]);
+    text += fmt::format(",{},{}", table.status[run], quoted(table.error[run]));
+    for (const NamedColumn& c : table.columns)
       text += std::isfinite(c.values[run]) ? fmt::format(",{}", c.values[run]) : ",";
   }
   return text + "\n";
 }
 
-void SweepTable::write(const SweepFolder& folder, const Provenance& provenance) const {
-  SweepRecord record;
-  record.title = design_.title;
-  record.sweep_toml = design_.text;
-  record.columns = columns();
+}  // namespace
+
+TableOutcome write_table(const SweepDesign& design, const SweepFolder& folder, const std::string& argv) {
+  SweepRecord table = empty_table(design);
+  const std::size_t parameters = design.axes().size();
   std::size_t longest = 0;
-  for (const Kept& k : rows_) longest = std::max(longest, k.curve.size());
+  folder.for_each_row([&](const SweepRow& row) {
+    if (row.run >= design.runs()) return;
+    enter(row, parameters, table);
+    longest = std::max(longest, row.curve.size());
+  });
   for (std::size_t i = 0; i < longest; ++i)
-    record.curve_time_s.push_back(static_cast<double>(i) * curve_step_s);
-  for (std::size_t run = 0; run < rows_.size(); ++run) {
-    const Kept& k = rows_[run];
-    record.scenario.push_back(design_.scenario_of(run).stem().string());
-    record.status.push_back(k.status);
-    record.error.push_back(k.error);
-    record.run_file.push_back(k.run_file);
-    record.curve_dV_ml.insert(record.curve_dV_ml.end(), k.curve.begin(), k.curve.end());
-    record.curve_dV_ml.insert(record.curve_dV_ml.end(), longest - k.curve.size(), missing);
-  }
-  record.provenance = provenance;
-  const std::string text = csv();
-  replace_file(folder.table_file(), std::as_bytes(std::span(text)));
-  write_sweep(folder.sweep_file(), record);
+    table.curve_time_s.push_back(static_cast<double>(i) * curve_step_s);
+  table.fill_curves_ml = [&](std::size_t first, std::span<double> curves) {
+    fill_curves(folder, longest, first, curves);
+  };
+  table.provenance = provenance_of({}, argv);
+  table.provenance.input_sha256 = folder.inputs();
+
+  replace_file(folder.table_file(), csv_of(table));
+  write_sweep(folder.sweep_file(), table);
+
+  const auto count = [&](const char* status) {
+    return static_cast<std::size_t>(std::count(table.status.begin(), table.status.end(), status));
+  };
+  TableOutcome outcome{design.runs(), 0, count("missing")};
+  outcome.failed = outcome.runs - outcome.missing - count("completed");
+  return outcome;
 }
 
 }  // namespace trunk

@@ -13,12 +13,6 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-double relative_volume_error(const Model& model, const State<double>& state) {
-  const double fraction = model.abdomen.target.empty() ? 1.0 : model.abdomen.target(state.time_s);
-  const double volume = enclosed_volume<double>(model.abdomen.triangles, state.position);
-  return std::abs(volume / (fraction * model.abdomen.rest) - 1.0);
-}
-
 std::vector<BreathRun::Touch> touches(const State<double>& state) {
   using enum BreathRun::Touch;
   std::vector<BreathRun::Touch> result;
@@ -39,44 +33,67 @@ int flipped(std::span<const Triangle> triangles, std::span<const Vec3d> before,
   }));
 }
 
+/// Calls run(first, count) for parts of what is to be simulated: as many as there are lanes, one at a time
+/// where that is quicker.
+template <class RunPart>
+void in_parts(std::size_t all, const RunPart& run) {
+  constexpr std::size_t worth_lanes = 3;  // a step of all lanes costs that of 2 to 3 simulations
+  const std::size_t lanes = batch_lanes();
+  for (std::size_t first = 0; first < all;) {
+    const std::size_t left = all - first;
+    const std::size_t count = left >= std::min(lanes, worth_lanes) ? std::min(lanes, left) : 1;
+    run(first, count);
+    first += count;
+  }
+}
+
+BreathSummary summary_of(const Trunk& trunk, BreathCourse course) {
+  const Model& model = trunk.model;
+  BreathSummary s;
+  s.summary = std::move(course.curve.summary);
+  s.delta_v = std::move(course.curve.delta_v);
+  s.measures = measures_between(shape_of(trunk, model.rest), shape_of(trunk, course.at_highest));
+  s.peak_pressure_Pa = course.peak_pressure_Pa;
+  s.max_relative_volume_error = course.max_relative_volume_error;
+  s.flipped_triangles = std::max(flipped(model.lung, model.rest, course.at_highest),
+                                 flipped(model.lung, model.rest, course.at_lowest));
+  return s;
+}
+
 }  // namespace
 
-BreathRun run_breath(const Trunk& trunk, const Scenario& scenario, int frame_every) {
-  const Model& model = trunk.model;
-  const double start_volume = enclosed_volume<double>(model.lung, model.rest);
-  double highest = -std::numeric_limits<double>::infinity(), lowest = -highest;
-  std::vector<Vec3d> at_lowest = model.rest;
+BreathRun run_breath(const Trunk& trunk, const Scenario& scenario, int frame_every,
+                     const WhileSimulated& check) {
+  BreathWatch<double> watch(trunk.model, scenario.time.steps(), check);
   BreathRun run;
-  run.end_inspiration = model.rest;
-
   const auto observe = [&](int step, double activation, const State<double>& state,
                            const StepReport<double>& report) {
-    const double volume = enclosed_volume<double>(model.lung, state.position);
+    watch(step, state, report);
     run.time_s.push_back(state.time_s);
-    run.delta_v.push_back(volume - start_volume);
     run.activation.push_back(activation);
     run.pressure_Pa.push_back(report.pressure_Pa);
-    run.max_relative_volume_error =
-        std::max(run.max_relative_volume_error, relative_volume_error(model, state));
-    if (volume > highest) {
-      highest = volume;
-      run.end_inspiration = state.position;
-    }
-    if (volume < lowest) {
-      lowest = volume;
-      at_lowest = state.position;
-    }
     if (frame_every > 0 && step % frame_every == 0)
       run.frames.push_back({step, state.position, state.velocity, touches(state)});
   };
   const auto start = std::chrono::steady_clock::now();
-  run.summary = simulate(model, scenario.parameters, scenario.activation, scenario.time, observe);
+  Summary summary = simulate(trunk.model, scenario.parameters, scenario.activation, scenario.time, observe);
   run.wall_s = seconds_since(start);
-  require_lung(lowest, run.summary);
-  run.flipped_triangles = std::max(flipped(model.lung, model.rest, run.end_inspiration),
-                                   flipped(model.lung, model.rest, at_lowest));
-  run.measures = measures_between(shape_of(trunk, model.rest), shape_of(trunk, run.end_inspiration));
+  BreathCourse course = watch.course(std::move(summary), 0);
+  run.end_inspiration = course.at_highest;
+  static_cast<BreathSummary&>(run) = summary_of(trunk, std::move(course));
   return run;
+}
+
+std::vector<BreathSummary> summarise_breaths(const Trunk& trunk, std::span<const Trial<double>> trials,
+                                             const TimeGrid& grid, const WhileSimulated& check) {
+  std::vector<BreathSummary> summaries;
+  std::vector<BreathCourse> courses(batch_lanes());
+  in_parts(trials.size(), [&](std::size_t first, std::size_t count) {
+    const auto run = count > 1 ? kernel().breath_courses : kernel().breath_course;
+    run(trunk.model, trials.subspan(first, count), grid, check, std::span(courses).first(count));
+    for (std::size_t i = 0; i < count; ++i) summaries.push_back(summary_of(trunk, std::move(courses[i])));
+  });
+  return summaries;
 }
 
 VolumeCurve simulate_volume(const Trunk& trunk, const Parameters<double>& parameters,
@@ -93,17 +110,11 @@ std::size_t batch_lanes() noexcept {
 
 std::vector<VolumeCurve> simulate_volumes(const Trunk& trunk, std::span<const Trial<double>> trials,
                                           const TimeGrid& grid) {
-  constexpr std::size_t worth_lanes = 3;  // a step of all lanes costs that of 2 to 3 simulations
-  const std::size_t lanes = batch_lanes();
   std::vector<VolumeCurve> curves(trials.size());
-  for (std::size_t first = 0; first < trials.size();) {
-    const std::size_t left = trials.size() - first;
-    const bool together = left >= std::min(lanes, worth_lanes);
-    const std::size_t count = together ? std::min(lanes, left) : 1;
-    const auto run = together ? kernel().volume_curves : kernel().volume_curve;
+  in_parts(trials.size(), [&](std::size_t first, std::size_t count) {
+    const auto run = count > 1 ? kernel().volume_curves : kernel().volume_curve;
     run(trunk.model, trials.subspan(first, count), grid, std::span(curves).subspan(first, count));
-    first += count;
-  }
+  });
   return curves;
 }
 

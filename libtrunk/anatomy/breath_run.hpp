@@ -4,19 +4,26 @@
 
 #include "anatomy/measures.hpp"
 #include "anatomy/scenario.hpp"
-#include "dynamics/volume_curve.hpp"
+#include "dynamics/breath_course.hpp"
 
 namespace trunk {
 
-/// What is kept of a simulated breath. Curves have one entry a step and one for the start.
-struct BreathRun {
+/// A simulated breath as a table knows it. Curves have one entry a step and one for the start.
+struct BreathSummary {
   Summary summary;
+  std::vector<double> delta_v;    // m3, lung volume above its start
+  Measures measures;              // between the start and end-inspiration, where the lung volume was highest
+  double peak_pressure_Pa = 0.0;  // abdominal, above rest
+  double max_relative_volume_error = 0.0;
+  int flipped_triangles = 0;  // of the lung at its largest or smallest: above 0 the model has left its range
+};
+
+/// All that is kept of one.
+struct BreathRun : BreathSummary {
   std::vector<double> time_s;
-  std::vector<double> delta_v;      // m3, lung volume above its start
   std::vector<double> activation;   // 0..1
   std::vector<double> pressure_Pa;  // abdominal, above rest
-  double max_relative_volume_error = 0.0;
-  double wall_s = 0.0;  // the time loop alone
+  double wall_s = 0.0;              // the time loop alone
 
   enum class Touch { none, slides, sticks };  // how a particle is on the surface that supports it
   struct Frame {
@@ -26,12 +33,17 @@ struct BreathRun {
   };
   std::vector<Frame> frames;
   std::vector<Vec3d> end_inspiration;  // [particles] where the lung volume was highest
-  Measures measures;                   // between the start and end-inspiration
-  int flipped_triangles = 0;  // of the lung at its largest or smallest: above 0 the model has left its range
 };
 
 /// Simulates one breath and keeps curves, frames and measures. `frame_every` steps; 0 keeps no frames.
-BreathRun run_breath(const Trunk& trunk, const Scenario& scenario, int frame_every);
+/// `check` may throw to end it.
+BreathRun run_breath(const Trunk& trunk, const Scenario& scenario, int frame_every,
+                     const WhileSimulated& check = {});
+
+/// Curve and measures of many trials, several at a time in the lanes of a register. Each gives the bits it
+/// would alone.
+std::vector<BreathSummary> summarise_breaths(const Trunk& trunk, std::span<const Trial<double>> trials,
+                                             const TimeGrid& grid, const WhileSimulated& check = {});
 
 /// The lung volume alone: no frames, no measures.
 VolumeCurve simulate_volume(const Trunk& trunk, const Parameters<double>& parameters,

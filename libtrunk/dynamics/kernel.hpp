@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -10,6 +11,10 @@ namespace trunk {
 
 struct TimeGrid;
 struct VolumeCurve;
+struct BreathCourse;
+
+/// Called every few steps of a simulation; what it throws ends the simulation and is passed on.
+using WhileSimulated = std::function<void()>;
 
 /// The simulator's loops as compiled for one instruction set. All of them give the same bits.
 struct Kernel {
@@ -23,6 +28,11 @@ struct Kernel {
                         std::span<VolumeCurve>);
   /// The curve of one.
   void (*volume_curve)(const Model&, std::span<const Trial<double>>, const TimeGrid&, std::span<VolumeCurve>);
+  /// The courses of 1 to `lanes` trials, and of one.
+  void (*breath_courses)(const Model&, std::span<const Trial<double>>, const TimeGrid&, const WhileSimulated&,
+                         std::span<BreathCourse>);
+  void (*breath_course)(const Model&, std::span<const Trial<double>>, const TimeGrid&, const WhileSimulated&,
+                        std::span<BreathCourse>);
   /// The curve of one with its derivatives along 1 to `tangents` directions, m3 a unit of the direction.
   void (*volume_derivatives)(const Model&, const Trial<double>&, std::span<const Trial<double>> directions,
                              const TimeGrid&, VolumeCurve&, std::span<std::vector<double>> derivatives);

@@ -275,12 +275,14 @@ void apply_settings(const std::vector<std::string>& texts, ScenarioFile& file) {
 }
 
 Trunk build_trunk(const ScenarioFile& file) {
-  const auto at = [](const std::string& where, const InputError& error) {
-    return InputError(where, 0, error.what());
-  };
-  Trunk trunk;
+  Trunk trunk = assemble_trunk(file);
+  if (!file.scenario.automatic_step) require_stable(file, trunk);
+  return trunk;
+}
+
+Trunk assemble_trunk(const ScenarioFile& file) {
   try {
-    trunk = make_trunk(file.scenario);
+    return make_trunk(file.scenario);
   } catch (const InputErrors&) {
     throw;  // of loads, which name their own lines
   } catch (const InputError& error) {
@@ -288,15 +290,16 @@ Trunk build_trunk(const ScenarioFile& file) {
       return std::string_view(error.what()).starts_with(it.origin + ": ");
     };
     if (std::ranges::any_of(file.scenario.rigid, is_from)) throw;  // it names its own line
-    throw at(file.scenario.mesh ? file.scenario.mesh_file : file.path, error);
+    throw InputError(file.scenario.mesh ? file.scenario.mesh_file : file.path, 0, error.what());
   }
-  if (file.scenario.automatic_step) return trunk;
+}
+
+void require_stable(const ScenarioFile& file, const Trunk& trunk) {
   try {
     require_stable(file.scenario, trunk);
   } catch (const InputError& error) {
-    throw at(file.where("time.dt_ms"), error);
+    throw InputError(file.where("time.dt_ms"), 0, error.what());
   }
-  return trunk;
 }
 
 Trunk build_timed_trunk(ScenarioFile& file) {

@@ -52,6 +52,10 @@ Trunk build_trunk(const ScenarioFile& file);
 /// The same, and chooses the time step where the scenario says "auto", which takes some simulations.
 Trunk build_timed_trunk(ScenarioFile& file);
 
+/// The two by themselves.
+Trunk assemble_trunk(const ScenarioFile& file);
+void require_stable(const ScenarioFile& file, const Trunk& trunk);
+
 /// The whole scenario as TOML, every key with its value: reading it gives the same scenario.
 std::string to_toml(const Scenario& scenario);
 

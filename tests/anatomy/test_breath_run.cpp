@@ -94,6 +94,36 @@ TEST_CASE("The volume curve of a fit is that of the run", "[property][anatomy]")
   CHECK(curve.delta_v == run.delta_v);
 }
 
+TEST_CASE("Breaths summarised side by side are those of each alone, also beside one that fails",
+          "[property][anatomy]") {
+  Scenario scenario = shipped("hemiparalysis_right");
+  scenario.time.duration_s = 0.3;
+  const Trunk trunk = make_trunk(scenario);
+  std::vector<Trial<double>> trials(batch_lanes + 1, {scenario.parameters, scenario.activation});
+  for (std::size_t i = 0; i < trials.size(); ++i)
+    trials[i].parameters.muscle *= 1.0 + 0.2 * static_cast<double>(i);
+  trials[1].parameters.elasticity = 1e7;  // unstable
+  const auto together = summarise_breaths(trunk, trials, scenario.time);
+  REQUIRE(together.size() == trials.size());
+  for (std::size_t i = 0; i < trials.size(); ++i) {
+    scenario.parameters = trials[i].parameters;
+    const BreathRun alone = run_breath(trunk, scenario, 0);
+    CHECK(alone.summary.completed() == (i != 1));
+    CHECK(together[i].summary.status == alone.summary.status);
+    CHECK(together[i].summary.message == alone.summary.message);
+    CHECK(together[i].delta_v == alone.delta_v);
+    if (i == 1) continue;
+    CHECK(together[i].measures.delta_l == alone.measures.delta_l);
+    CHECK(together[i].measures.excursion_right == alone.measures.excursion_right);
+    CHECK(together[i].peak_pressure_Pa == alone.peak_pressure_Pa);
+    CHECK(together[i].peak_pressure_Pa ==
+          *std::max_element(alone.pressure_Pa.begin(), alone.pressure_Pa.end()));
+    CHECK(together[i].max_relative_volume_error == alone.max_relative_volume_error);
+    CHECK(together[i].flipped_triangles == alone.flipped_triangles);
+  }
+  CHECK(together[0].measures.delta_l != together[2].measures.delta_l);
+}
+
 TEST_CASE("More muscle breathes more, more elasticity less", "[property][anatomy][slow]") {
   Scenario scenario = shipped("healthy");
   scenario.time.duration_s = 2.0;

@@ -1,11 +1,14 @@
-"""trunk sweep and status: killed, interrupted, with impossible runs, on any number of threads."""
+"""trunk sweep, status and merge: killed, interrupted, with impossible runs, on any number of threads and shards."""
 
 import csv
 import io
+import math
 import signal
 import unittest
 
-from support import HEALTHY, SCENARIOS, TrunkTest, catches, file_limit, start
+import h5py
+
+from support import COARSE, HEALTHY, SCENARIOS, Outcome, TrunkTest, catches, file_limit, start
 
 GRID = '"time.dt_ms" = [3]\n"time.duration_s" = [0.3]\n'
 
@@ -15,8 +18,8 @@ class SweepTest(TrunkTest):
         return self.file(name, f'schema = "trunk.sweep/1"\ntitle = "test"\nscenarios = {list(map(str, scenarios))}\n'
                                f"{top}\n[grid]\n{grid}")
 
-    def muscles(self, count, extra=GRID):
-        return self.design(f'"parameters.k_muscle_N_per_m" = {{ from = 10, to = 60, count = {count} }}\n{extra}')
+    def muscles(self, count, extra=GRID, top=""):
+        return self.design(f'"parameters.k_muscle_N_per_m" = {{ from = 10, to = 60, count = {count} }}\n{extra}', top=top)
 
     def rows(self, folder="d"):
         return list(csv.DictReader(io.StringIO((self.folder / folder / "table.csv").read_text())))
@@ -126,8 +129,8 @@ class Results(SweepTest):
             process = start("sweep", self.folder / design, "-o", "d", cwd=self.folder / folder, epoch=0)
             process.communicate()
             found.append({str(p.relative_to(self.folder / folder)): p.read_bytes()
-                          for p in (self.folder / folder).rglob("*") if p.is_file()})
-        self.assertEqual(len(found[0]), 7)
+                          for p in (self.folder / folder).rglob("*") if p.is_file() and p.parent.name != "journal"})
+        self.assertEqual(len(found[0]), 9)
         self.assertEqual(found[0], found[1])
 
     def test_shipped_designs(self):
@@ -151,6 +154,177 @@ class Results(SweepTest):
         self.assertEqual(rows[1]["delta_v_ml"], "")
         self.assertAlmostEqual(float(rows[0]["delta_v_ml"]) / float(rows[2]["delta_v_ml"]), 1, delta=0.01)
         self.assertEqual(self.succeeds("inspect", "d/sweep.h5")["runs"], {"completed": 2, "invalid": 1})
+
+
+class Stores(SweepTest):
+    def both(self, store, **options):
+        return self.design('"parameters.k_muscle_N_per_m" = [10, 20, 30, 40, 50]\n"time.dt_ms" = [3, 4]\n'
+                           '"time.duration_s" = [0.3]\n', f"{store}.toml", top=f'store = "{store}"', **options)
+
+    def test_side_by_side_gives_what_each_gives_alone(self):
+        for store in ("full", "curves", "summary"):
+            self.succeeds("sweep", self.both(store), "-o", store)
+        tables = {store: (self.folder / store / "table.csv").read_bytes() for store in ("full", "curves", "summary")}
+        self.assertEqual(tables["full"], tables["curves"])
+        self.assertEqual(tables["full"], tables["summary"])
+        self.assertEqual(len(self.finished("full")), 10)
+        self.assertEqual(self.finished("curves"), {})
+        with h5py.File(self.folder / "full/sweep.h5") as full, h5py.File(self.folder / "curves/sweep.h5") as curves, \
+                h5py.File(self.folder / "summary/sweep.h5") as summary:
+            self.assertEqual(full["curves/dV"].shape, (10, 31))
+            self.assertEqual(full["curves/dV"][...].tobytes(), curves["curves/dV"][...].tobytes())
+            self.assertEqual(summary["curves/dV"].shape, (10, 0))
+
+    def test_a_summary_sweep_is_killed_and_goes_on(self):
+        command = ("sweep", self.muscles(200, GRID, 'store = "summary"'), "-o", "d", "-j", "1")
+        journal = self.folder / "d/journal/1-of-1"
+        process = start(*command, cwd=self.folder)
+        self.interrupt(process, lambda: journal.exists() and journal.stat().st_size > 5000, signal.SIGKILL)
+        kept = self.succeeds("status", "d")
+        self.assertTrue(0 < kept["done"] < 200, kept)
+        self.assertEqual(kept["left"], 200 - kept["done"])
+        with journal.open("ab") as file:
+            file.write(b"half a row")
+        again = self.succeeds(*command)
+        self.assertEqual((again["found"], again["simulated"]), (kept["done"], 200 - kept["done"]))
+        self.succeeds("sweep", command[1], "-o", "whole")
+        for name in ("table.csv",):
+            self.assertEqual((self.folder / "d" / name).read_bytes(), (self.folder / "whole" / name).read_bytes())
+
+    def test_a_damaged_journal_counts_up_to_the_damage(self):
+        command = ("sweep", self.muscles(20, GRID, 'store = "summary"'), "-o", "d", "-j", "1")
+        self.succeeds(*command)
+        table, journal = (self.folder / "d/table.csv").read_bytes(), self.folder / "d/journal/1-of-1"
+        data = bytearray(journal.read_bytes())
+        data[len(data) // 2] ^= 0x10
+        journal.write_bytes(bytes(data))
+        self.assertIn(self.succeeds(*command)["found"], range(8, 12))
+        self.assertEqual((self.folder / "d/table.csv").read_bytes(), table)
+
+
+class Shards(SweepTest):
+    def test_shards_make_the_same_table(self):
+        for store in ("summary", "full"):
+            design = self.design('"parameters.k_muscle_N_per_m" = [10, 20, 30, 40]\n"time.dt_ms" = [3, 20]\n'
+                                 '"time.duration_s" = [0.3]\n', top=f'store = "{store}"',
+                                 scenarios=(HEALTHY, SCENARIOS / "hemiparalysis_right.toml"))
+            whole, parts = f"{store}_whole", f"{store}_parts"
+            self.succeeds("sweep", design, "-o", whole, "-j", "2", codes=(3,), epoch=0)
+            running = [start("sweep", design, "-o", parts, "-j", k, "--shard", f"{k}/3", cwd=self.folder, epoch=0)
+                       for k in (1, 2)]
+            for process in running:
+                process.communicate()
+                self.assertEqual(process.returncode, 3)  # 20 ms is unstable
+            early = self.succeeds("merge", parts, codes=(3,), epoch=0)
+            self.assertEqual((early["failed"], early["missing"]), (6, 5))
+            self.assertEqual(self.succeeds("status", parts)["left"], 5)
+            third = self.succeeds("sweep", design, "-o", parts, "--shard", "3/3", codes=(3,), epoch=0)
+            self.assertEqual((third["runs"], third["shard"]), (5, "3/3"))
+            for _ in range(2):  # merging again changes nothing
+                self.succeeds("merge", parts, codes=(3,), epoch=0)
+                for name in ("table.csv", "sweep.h5"):
+                    self.assertEqual((self.folder / parts / name).read_bytes(),
+                                     (self.folder / whole / name).read_bytes(), name)
+
+    def test_one_process_a_shard(self):
+        slow = self.design('"time.dt_ms" = [0.001]\n"time.duration_s" = [5]\n"paralysis.stiffness_factor" = [1, 0.5]\n')
+        first = start("sweep", slow, "-o", "d", "--shard", "1/2", cwd=self.folder)
+        journal = self.folder / "d/journal/1-of-2"
+        for command, says in ((("sweep", slow, "-o", "d", "--shard", "1/2"), "1-of-2: is being written by another"),
+                              (("sweep", slow, "-o", "d"), "d: is in use by another process"),
+                              (("merge", "d"), "d: is in use by another process")):
+            while not (journal.exists() and catches(first)):
+                self.assertIsNone(first.poll())
+            outcome = self.trunk(*command)
+            self.assertEqual(outcome.code, 2, str(outcome))
+            self.assert_one_line(outcome)
+            self.assertRegex(outcome.err, says)
+        self.assertEqual(self.succeeds("status", "d")["left"], 2)
+        first.send_signal(signal.SIGINT)  # in the middle of a run of minutes
+        outcome = Outcome(first)
+        self.assertEqual(outcome.code, 130, str(outcome))
+        self.assertRegex(outcome.err, "interrupted: 0 of 1 runs")
+
+    def test_a_shard_that_makes_no_sense(self):
+        for shard in ("0/2", "3/2", "1", "1/", "/2", "a/b", "1/2/3", "-1/2"):
+            self.refused("sweep", self.muscles(2), "-o", "d", f"--shard={shard}", says="--shard .*expected k/n")
+        self.refused("merge", "d", says="d: holds no sweep")
+
+
+class Limits(SweepTest):
+    def test_a_run_that_takes_too_long_stops_no_other(self):
+        design = self.design('"time.dt_ms" = [3, 0.002]\n"time.duration_s" = [0.3]\n' 
+                             '"parameters.k_muscle_N_per_m" = [10, 20, 30]\n', top='store = "curves"')
+        outcome = self.succeeds("sweep", design, "-o", "d", "--timeout", "0.2", codes=(3,))
+        self.assertEqual((outcome["runs"], outcome["failed"]), (6, 3))
+        self.assertEqual({(r["time.dt_ms"], r["status"]) for r in self.rows()},
+                         {("3", "completed"), ("0.002", "timeout")})
+        self.assertRegex(next(r["error"] for r in self.rows() if r["error"]), "took longer than 0.2 s")
+        again = self.succeeds("sweep", design, "-o", "d", codes=(3,))
+        self.assertEqual((again["found"], again["simulated"]), (6, 0))  # failures are results too
+        status = self.succeeds("status", "d")
+        self.assertEqual((status["done"], status["failed"], status["left"]), (6, 3, 0))
+        retried = self.succeeds("sweep", design, "-o", "d", "--retry-failed")
+        self.assertEqual((retried["found"], retried["simulated"], retried["failed"]), (3, 3, 0))
+        self.assertEqual({r["status"] for r in self.rows()}, {"completed"})
+
+
+class Samples(SweepTest):
+    def sampled(self, method, seed=1, top=""):
+        return self.file(f"{method}{seed}.toml", f'scenarios = ["{HEALTHY}"]\nstore = "summary"\n{top}\n'
+                         f'[grid]\n{GRID}[sample]\nmethod = "{method}"\npoints = 16\nseed = {seed}\n'
+                         '"parameters.k_muscle_N_per_m" = { from = 10, to = 1000, scale = "log" }\n'
+                         '"geometry.dome_height_left_mm" = { from = 60, to = 76 }\n')
+
+    def test_points_are_spread_evenly(self):
+        for method in ("sobol", "latin_hypercube"):
+            self.succeeds("sweep", self.sampled(method), "-o", method)
+            self.succeeds("sweep", self.sampled(method, 2), "-o", f"{method}2")
+            rows = self.rows(method)
+            muscle = [math.log10(float(r["parameters.k_muscle_N_per_m"])) - 1 for r in rows]
+            dome = [(float(r["geometry.dome_height_left_mm"]) - 60) / 8 for r in rows]
+            for values in (muscle, dome):  # both from 0 to 2
+                self.assertTrue(all(0 <= v < 2 for v in values), values)
+                least = 1 if method == "latin_hypercube" else 0  # of 16 points in each sixteenth
+                self.assertTrue(all(sum(i <= 8 * v < i + 1 for v in values) >= least for i in range(16)), values)
+                self.assertIn(sum(v < 1 for v in values), (7, 8, 9) if method == "sobol" else (8,))
+            self.assertNotEqual(muscle, sorted(muscle))
+            other = [r["parameters.k_muscle_N_per_m"] for r in self.rows(f"{method}2")]
+            self.assertNotEqual(other, [r["parameters.k_muscle_N_per_m"] for r in rows])
+
+    def test_samples_that_make_no_sense(self):
+        text = (self.folder / self.sampled("sobol")).read_text()
+        for old, new, says in (('"sobol"', '"random"', "bad.toml:8: sample.method is 'random'"),
+                               ("points = 16", "points = 1.5", "bad.toml:9: sample.points: found 1.5"),
+                               ("points = 16\n", "", "bad.toml:7: sample.points"),
+                               ("points = 16", "points = 1000001", "bad.toml:9: .*1 to"),
+                               ("to = 76", "till = 76", "bad.toml:12: unknown 'till'"),
+                               ("to = 76", "to = 760", r"bad.toml:12: .*dome_height_left_mm is \d+.*expected"),
+                               ("geometry.dome_height_left_mm", "time.dt_ms", "bad.toml:12: time.dt_ms stands in"),
+                               ('"summary"', '"all"', "bad.toml:2: store is 'all', expected \"summary\" or")):
+            self.assertIn(old, text)
+            self.file("bad.toml", text.replace(old, new))
+            with self.subTest(new):
+                self.refused("sweep", "bad.toml", "-o", "d", says=says)
+
+
+class Subjects(SweepTest):
+    def test_a_subject_is_put_on_every_scenario(self):
+        for name, muscle in (("a", 25), ("b", 35)):
+            self.succeeds("simulate", HEALTHY, "-o", f"{name}.h5", "--set", f"parameters.k_muscle_N_per_m={muscle}",
+                          *COARSE, "--set", "activation.rise_s=0.2")
+        design = self.file("s.toml", f'scenarios = ["{HEALTHY}", "{SCENARIOS / "hemiparalysis_right.toml"}"]\n'
+                           f'subjects = ["a.h5", "b.h5"]\nstore = "summary"\n[grid]\n{GRID}')
+        self.succeeds("sweep", design, "-o", "d")
+        self.assertEqual([(r["scenario"], r["subject"]) for r in self.rows()],
+                         [(s, f"{x}.h5") for s in ("healthy", "hemiparalysis_right") for x in "ab"])
+        alone = self.succeeds("simulate", SCENARIOS / "hemiparalysis_right.toml", "-o", "r.h5", "--from", "b.h5",
+                              *COARSE)
+        self.assertEqual(float(self.rows()[3]["delta_v_ml"]), alone["delta_v_ml"])
+        with h5py.File(self.folder / "d/sweep.h5") as file:
+            self.assertEqual([s.decode() for s in file["table/subject"][:2]], ["a.h5", "b.h5"])
+        self.file("b.h5", "not a fit")
+        self.refused("sweep", design, "-o", "e", says="s.toml:2: b.h5: ")
 
 
 class Refusals(SweepTest):

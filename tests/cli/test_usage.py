@@ -5,7 +5,7 @@ import unittest
 
 from support import COARSE, HEALTHY, TrunkTest, trace
 
-COMMANDS = ("check", "simulate", "breaths", "fit", "sweep", "status", "validate", "inspect", "report")
+COMMANDS = ("check", "simulate", "breaths", "fit", "sweep", "status", "merge", "validate", "inspect", "report")
 
 
 class Help(TrunkTest):

@@ -2,6 +2,8 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -157,11 +159,13 @@ struct SweepRecord {
   std::string title, sweep_toml;
   std::vector<NamedColumn> columns;   ///< parameters and measures, each [R]
   std::vector<std::string> scenario;  ///< [R]
+  std::vector<std::string> subject;   ///< [R] or empty
   std::vector<std::string> status;    ///< [R]
   std::vector<std::string> error;     ///< [R], "" when there was none
   std::vector<std::string> run_file;  ///< [R], relative to the folder of the sweep file; "" when absent
   std::vector<double> curve_time_s;   ///< [Tc]
-  std::vector<double> curve_dV_ml;    ///< [R*Tc], row-major; in ml so that resuming loses no bit
+  /// Fills in dV, ml, [n*Tc], of n runs from the first on: all of them may not fit in memory.
+  std::function<void(std::size_t first, std::span<double> dV_ml)> fill_curves_ml;
   Provenance provenance;
 };
 

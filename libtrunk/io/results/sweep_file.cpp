@@ -14,6 +14,7 @@ Axis write_table(hid_t root, const SweepRecord& sweep) {
   const Group table = create_group(root, "table");
   Axis run = write_count_axis(table, {"run", "1", "run"}, sweep.status.size());
   write_array(table, {"scenario", "", "scenario"}, sweep.scenario, {run});
+  if (!sweep.subject.empty()) write_array(table, {"subject", "", "subject"}, sweep.subject, {run});
   for (const NamedColumn& column : sweep.columns) {
     if (layout::is_reproducible() && layout::is_clock_time(column.name)) continue;
     write_array(table, {column.name, layout::file_unit(column.unit), ""}, column.values, {run});
@@ -29,7 +30,7 @@ void write_curves(hid_t root, const SweepRecord& sweep, const Axis& run) {
   const Group curves = create_group(root, "curves");
   hdf5::link_again(root, "table/run", curves, "run");
   const Axis time = write_axis(curves, {"time", "s", "time"}, sweep.curve_time_s);
-  write_array(curves, {"dV", "ml", "volume change of the model"}, sweep.curve_dV_ml, {run, time});
+  hdf5::write_rows(curves, {"dV", "ml", "volume change of the model"}, sweep.fill_curves_ml, run, time);
 }
 
 std::string five_digits(std::size_t number) {

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <span>
+#include <string_view>
 
 namespace trunk {
 
@@ -19,5 +20,8 @@ void require_writable_target(const std::filesystem::path& path, bool force);
 /// A limit on file sizes (`ulimit -f`) is such a cause only in a program that ignores SIGXFSZ.
 void replace_file(const std::filesystem::path& path, std::span<const std::byte> bytes,
                   std::span<const std::byte> more = {});
+inline void replace_file(const std::filesystem::path& path, std::string_view text) {
+  replace_file(path, std::as_bytes(std::span(text)));
+}
 
 }  // namespace trunk

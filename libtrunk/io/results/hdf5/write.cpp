@@ -13,6 +13,7 @@ namespace {
 
 constexpr hsize_t chunk_bytes = hsize_t{1} << 20;  // the default chunk cache holds one such chunk
 constexpr hsize_t frames_per_chunk = 64;
+constexpr hsize_t bytes_at_once = hsize_t{32} << 20;
 constexpr std::size_t largest_compact = 60000;  // HDF5: an object header message has less than 64 KiB
 
 void check_name(const std::string& name) {
@@ -160,6 +161,31 @@ Dataset write_view(hid_t group, const Label& label, hid_t source_group, const st
                   doing);
   write_label(dataset, label);
   attach(dataset, label, axes);
+  return dataset;
+}
+
+Dataset write_rows(hid_t group, const Label& label, const FillRows& fill, const Axis& rows,
+                   const Axis& columns) {
+  const std::string doing = "write dataset " + label.name;
+  const std::vector<hsize_t> shape = {rows.size, columns.size};
+  const Space space(H5Screate_simple(2, shape.data(), nullptr), doing);
+  Dataset dataset(H5Dcreate2(group, label.name.c_str(), H5T_IEEE_F64LE, space, H5P_DEFAULT,
+                             filtered(shape, sizeof(double)), H5P_DEFAULT),
+                  doing);
+  const hsize_t row_bytes = std::max<hsize_t>(1, columns.size * sizeof(double));
+  const hsize_t at_once = std::max<hsize_t>({1, bytes_at_once / row_bytes, rows.size / 8});
+  std::vector<double> values;
+  for (hsize_t first = 0; columns.size > 0 && first < rows.size; first += at_once) {
+    const hsize_t start[2] = {first, 0}, count[2] = {std::min(at_once, rows.size - first), columns.size};
+    values.resize(count[0] * count[1]);
+    fill(first, values);
+    const Space part(H5Screate_simple(2, count, nullptr), doing);
+    require(H5Sselect_hyperslab(space, H5S_SELECT_SET, start, nullptr, count, nullptr), doing);
+    require(H5Dwrite(dataset, H5T_NATIVE_DOUBLE, part, space, H5P_DEFAULT, values.data()), doing);
+  }
+  write_label(dataset, label);
+  require(H5DSattach_scale(dataset, rows.scale, 0), "name the axes of " + label.name);
+  require(H5DSattach_scale(dataset, columns.scale, 1), "name the axes of " + label.name);
   return dataset;
 }
 

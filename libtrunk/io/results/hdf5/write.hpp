@@ -57,6 +57,11 @@ Dataset write_array(hid_t group, const Label& label, const std::vector<Value>& v
 /// `axes`: none are copied (an HDF5 virtual dataset).
 Dataset write_view(hid_t group, const Label&, hid_t source_group, const std::string& source, Axes axes);
 
+/// An array of doubles over two axes that need not be in memory as a whole: `fill(first, rows)` is asked for
+/// some rows, from the first on, after the other.
+using FillRows = std::function<void(std::size_t first, std::span<double> rows)>;
+Dataset write_rows(hid_t group, const Label&, const FillRows& fill, const Axis& rows, const Axis& columns);
+
 /// A one-dimensional array that is an axis itself.
 template <typename Value>
 Axis write_axis(hid_t group, const Label&, const std::vector<Value>& coordinates);

@@ -1,0 +1,160 @@
+#include "sweep/batch.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "anatomy/breath_run.hpp"
+#include "errors/input_error.hpp"
+#include "recording/run_record.hpp"
+
+namespace trunk {
+namespace {
+
+struct TimedOut {};
+
+double now_s() {
+  return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
+}
+
+/// The curve every curve_step_s: the nearest later sample, so that resuming from files loses no bit.
+template <class TimeOf>
+std::vector<double> thinned(const std::vector<double>& values, double factor, const TimeOf& time_of) {
+  std::vector<double> curve;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (time_of(i) >= static_cast<double>(curve.size()) * curve_step_s - 1e-9)
+      curve.push_back(factor * values[i]);
+  return curve;
+}
+
+std::vector<double> numbers_of(const std::vector<NamedValue>& values) {
+  std::vector<double> numbers;
+  for (const NamedValue& v : values) numbers.push_back(v.value);
+  return numbers;
+}
+
+SweepRow row_of(std::size_t run, const BreathSummary& breath, double dt_s, bool with_curve) {
+  SweepRow row{run,   status_word(breath.summary.status), "", now_s(),
+               false, numbers_of(measures_of(breath)),    {}};
+  if (!breath.summary.completed()) row.error = breath.summary.message;
+  if (with_curve)
+    row.curve = thinned(breath.delta_v, 1e6, [&](std::size_t i) { return static_cast<double>(i) * dt_s; });
+  return row;
+}
+
+Trial<double> trial_of(const PreparedRun& p) {
+  return {p.file.scenario.parameters, p.file.scenario.activation};
+}
+
+/// A batch while it is simulated.
+class Running {
+ public:
+  explicit Running(const SweepBatch& batch) : batch_(batch) {}
+
+  /// Fails what is unstable, simulates the others.
+  std::vector<FinishedRun> simulate(std::vector<PreparedRun> runs) {
+    if (!surely_stable(runs)) std::erase_if(runs, [&](const PreparedRun& p) { return fails_as_unstable(p); });
+    while (!runs.empty()) {  // those of one time grid at once
+      const TimeGrid grid = runs.front().file.scenario.time;
+      const auto others = std::stable_partition(runs.begin(), runs.end(), [&](const PreparedRun& p) {
+        const TimeGrid& own = p.file.scenario.time;
+        return own.dt_s == grid.dt_s && own.duration_s == grid.duration_s;
+      });
+      const auto count = static_cast<std::size_t>(others - runs.begin());
+      if (batch_.design.store == SweepDesign::Store::full)
+        for (const PreparedRun& p : std::span(runs).first(count)) simulate_in_full(p);
+      else
+        summarise(std::span(runs).first(count), grid);
+      runs.erase(runs.begin(), others);
+    }
+    return std::move(done_);
+  }
+
+ private:
+  bool surely_stable(const std::vector<PreparedRun>& runs) const {
+    std::vector<const Scenario*> scenarios;
+    for (const PreparedRun& p : runs) scenarios.push_back(&p.file.scenario);
+    return batch_.stable.holds(batch_.trunk, scenarios);
+  }
+
+  bool fails_as_unstable(const PreparedRun& p) {
+    try {
+      require_stable(p.file, batch_.trunk);
+      return false;
+    } catch (const InputError& error) {
+      done_.push_back({failed_row(p.run, "invalid", error.what()), std::nullopt});
+      return true;
+    }
+  }
+
+  WhileSimulated watchdog() const {
+    using Clock = std::chrono::steady_clock;
+    return [this, start = Clock::now()] {
+      const double spent_s = std::chrono::duration<double>(Clock::now() - start).count();
+      if (batch_.limits.timeout_s > 0.0 && spent_s > batch_.limits.timeout_s) throw TimedOut();
+      if (spent_s > 1.0 && batch_.limits.cancelled && batch_.limits.cancelled()) throw Cancelled();
+    };
+  }
+
+  void time_out(const PreparedRun& p) {
+    done_.push_back(
+        {failed_row(p.run, "timeout", fmt::format("took longer than {} s", batch_.limits.timeout_s)), {}});
+  }
+
+  void summarise(std::span<const PreparedRun> runs, const TimeGrid& grid) {
+    std::vector<Trial<double>> trials;
+    for (const PreparedRun& p : runs) trials.push_back(trial_of(p));
+    try {
+      const std::vector<BreathSummary> breaths = summarise_breaths(batch_.trunk, trials, grid, watchdog());
+      for (std::size_t i = 0; i < runs.size(); ++i)
+        done_.push_back(
+            {row_of(runs[i].run, breaths[i], grid.dt_s, batch_.design.store != SweepDesign::Store::summary),
+             std::nullopt});
+    } catch (const TimedOut&) {
+      if (runs.size() == 1) return time_out(runs.front());
+      for (std::size_t i = 0; i < runs.size(); ++i)
+        summarise(runs.subspan(i, 1), grid);  // it may be a neighbour's time
+    }
+  }
+
+  void simulate_in_full(const PreparedRun& p) {
+    const Scenario& scenario = p.file.scenario;
+    const auto stride = std::lround(1e-3 * batch_.design.frame_every_ms / scenario.time.dt_s);
+    try {
+      const BreathRun run =
+          run_breath(batch_.trunk, scenario, std::max(1, static_cast<int>(stride)), watchdog());
+      done_.push_back({row_of(p.run, run, scenario.time.dt_s, true),
+                       run_record(p.file, batch_.trunk, run, {}, batch_.provenance)});
+      done_.back().row.has_file = true;
+    } catch (const TimedOut&) {
+      time_out(p);
+    }
+  }
+
+  const SweepBatch& batch_;
+  std::vector<FinishedRun> done_;
+};
+
+}  // namespace
+
+SweepRow row_of(std::size_t run, const RunSummary& s) {
+  return {run,
+          s.status,
+          s.status == "completed" ? "" : s.message,
+          now_s(),
+          true,
+          numbers_of(s.measures),
+          thinned(s.curve_dV_ml, 1.0, [&](std::size_t i) { return s.curve_time_s[i]; })};
+}
+
+SweepRow failed_row(std::size_t run, const std::string& status, const std::string& error) {
+  return {run, status, error, now_s(), false, {}, {}};
+}
+
+std::vector<FinishedRun> SweepBatch::simulate(std::vector<PreparedRun> runs) const {
+  return Running(*this).simulate(std::move(runs));
+}
+
+}  // namespace trunk

@@ -1,0 +1,163 @@
+#include "sweep/journal.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <utility>
+
+#include "errors/input_error.hpp"
+#include "results/sha256.hpp"
+#include "sweep/lock.hpp"
+
+namespace trunk {
+namespace {
+
+constexpr std::size_t longest_row = std::size_t{1} << 26, longest_error = 500;
+constexpr std::size_t checksum_size = 16;
+
+/// A row on file: its size, the row, and the beginning of the row's SHA-256. Numbers as the machine has them:
+/// a folder of a sweep is shared among machines of one kind.
+template <class Number>
+void put(std::string& bytes, const Number& number) {
+  bytes.append(reinterpret_cast<const char*>(&number), sizeof number);
+}
+void put(std::string& bytes, const std::string& text) {
+  put(bytes, static_cast<std::uint32_t>(text.size()));
+  bytes += text;
+}
+void put(std::string& bytes, const std::vector<double>& numbers) {
+  put(bytes, static_cast<std::uint32_t>(numbers.size()));
+  bytes.append(reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(double));
+}
+
+std::string bytes_of(const SweepRow& row) {
+  std::string body;
+  put(body, row.run);
+  put(body, row.status);
+  put(body, row.error.substr(0, longest_error));
+  put(body, row.ended_at);
+  put(body, row.has_file);
+  put(body, row.measures);
+  put(body, row.curve);
+  std::string bytes;
+  put(bytes, static_cast<std::uint32_t>(body.size()));
+  return bytes + body + sha256_of_text(body).substr(0, checksum_size);
+}
+
+/// Takes values off the front; `ok` is false once there was too little.
+struct Parser {
+  std::string_view rest;
+  bool ok = true;
+
+  void take(void* to, std::size_t size) {
+    ok = ok && size <= rest.size();
+    if (!ok || size == 0) return;
+    std::memcpy(to, rest.data(), size);
+    rest.remove_prefix(size);
+  }
+  std::size_t take_count(std::size_t value_size) {
+    std::uint32_t count = 0;
+    take(&count, sizeof count);
+    ok = ok && count <= rest.size() / value_size;
+    return ok ? count : 0;
+  }
+  void take(std::string& text) {
+    text.resize(take_count(1));
+    take(text.data(), text.size());
+  }
+  void take(std::vector<double>& numbers) {
+    numbers.resize(take_count(sizeof(double)));
+    take(numbers.data(), numbers.size() * sizeof(double));
+  }
+};
+
+bool parse(std::string_view body, SweepRow& row) {
+  Parser parser{body};
+  char has_file = 0;
+  parser.take(&row.run, sizeof row.run);
+  parser.take(row.status);
+  parser.take(row.error);
+  parser.take(&row.ended_at, sizeof row.ended_at);
+  parser.take(&has_file, sizeof has_file);
+  parser.take(row.measures);
+  parser.take(row.curve);
+  row.has_file = has_file != 0;
+  return parser.ok && parser.rest.empty();
+}
+
+/// The next row, or false where the file ends, whole or not.
+bool read_row(std::istream& file, std::string& body, SweepRow& row) {
+  std::uint32_t size = 0;
+  char checksum[checksum_size];
+  if (!file.read(reinterpret_cast<char*>(&size), sizeof size) || size > longest_row) return false;
+  body.resize(size);
+  if (!file.read(body.data(), size) || !file.read(checksum, checksum_size)) return false;
+  return sha256_of_text(body).compare(0, checksum_size, checksum, checksum_size) == 0 && parse(body, row);
+}
+
+std::string heading(const std::string& fingerprint) {
+  return "trunk sweep journal 1\n" + fingerprint + "\n";
+}
+
+}  // namespace
+
+std::size_t read_journal(const std::filesystem::path& path, const std::string& fingerprint,
+                         const std::function<void(SweepRow)>& visit) {
+  std::ifstream file(path, std::ios::binary);
+  std::string found(heading(fingerprint).size(), '\0');
+  if (!file.read(found.data(), static_cast<std::streamsize>(found.size())) || found != heading(fingerprint))
+    return 0;
+  std::size_t end = found.size();
+  std::string body;
+  for (SweepRow row; read_row(file, body, row); row = {}) {
+    end += sizeof(std::uint32_t) + body.size() + checksum_size;
+    visit(std::move(row));
+  }
+  if (file.bad()) throw InputError(path.string(), 0, "cannot be read: " + std::string(std::strerror(errno)));
+  return end;
+}
+
+Journal::Journal(std::filesystem::path path, const std::string& fingerprint)
+    : path_(std::move(path)),
+      descriptor_(open(path_.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666)) {
+  const auto fail = [&](const std::string& text) {
+    if (descriptor_ >= 0) close(descriptor_);
+    throw InputError(path_.string(), 0, text);
+  };
+  if (descriptor_ < 0) fail("cannot be written: " + std::string(std::strerror(errno)));
+  if (!try_lock(descriptor_, LockKind::alone))
+    fail("is being written by another process, expected one a shard: give each its own --shard, or wait");
+  const std::size_t end = read_journal(path_, fingerprint, [](const SweepRow&) {});
+  if (ftruncate(descriptor_, static_cast<off_t>(end)) != 0)
+    fail("cannot be written: " + std::string(std::strerror(errno)));
+  if (end == 0) write_all(heading(fingerprint));
+}
+
+Journal::~Journal() {
+  close(descriptor_);
+}
+
+void Journal::append(std::span<const SweepRow> rows) {
+  std::string bytes;
+  for (const SweepRow& row : rows) bytes += bytes_of(row);
+  write_all(bytes);
+}
+
+void Journal::write_all(std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = write(descriptor_, bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0)
+      throw InputError(path_.string(), 0, "cannot be written: " + std::string(std::strerror(errno)));
+    bytes.remove_prefix(static_cast<std::size_t>(written));
+  }
+}
+
+void Journal::synchronise() {
+  fsync(descriptor_);
+}
+
+}  // namespace trunk

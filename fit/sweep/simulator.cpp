@@ -1,0 +1,70 @@
+#include "sweep/simulator.hpp"
+
+#include <algorithm>
+
+#include "anatomy/breath_run.hpp"
+#include "recording/run_record.hpp"
+
+namespace trunk {
+
+struct SweepSimulator::Ready {
+  std::size_t model = 0;
+  ScenarioFile file;
+  Trunk trunk;
+  mutable StableRange stable;
+};
+
+SweepSimulator::SweepSimulator(const SweepDesign& design, Provenance provenance, RunLimits limits)
+    : design_(design), provenance_(std::move(provenance)), limits_(std::move(limits)) {
+  for (const auto& subject : design.subjects) subjects_.push_back(read_parameters(subject.path));
+}
+
+SweepSimulator::~SweepSimulator() = default;
+
+std::size_t SweepSimulator::together() const noexcept {
+  return design_.store == SweepDesign::Store::full ? 1 : batch_lanes();
+}
+
+std::shared_ptr<const SweepSimulator::Ready> SweepSimulator::ready_for(std::size_t run) const {
+  const std::size_t model = design_.model_of(run);
+  const std::lock_guard lock(mutex_);
+  if (last_ && last_->model == model) return last_;
+  const SweepDesign::Run r = design_.run(run);
+  const auto ready = std::make_shared<Ready>();
+  ready->model = model;
+  ready->file = read_scenario(design_.scenarios[r.scenario].path);
+  apply_settings(design_.settings_of(r.values), ready->file);
+  ready->trunk = assemble_trunk(ready->file);
+  return last_ = ready;
+}
+
+std::vector<FinishedRun> SweepSimulator::operator()(std::span<const std::size_t> runs) const {
+  std::vector<FinishedRun> done;
+  const auto fail_run = [&](std::size_t run, const std::exception& error) {
+    done.push_back({failed_row(run, "invalid", error.what()), std::nullopt});
+  };
+  try {
+    const std::shared_ptr<const Ready> ready = ready_for(runs.front());
+    std::vector<PreparedRun> prepared;
+    for (const std::size_t run : runs) try {
+        const SweepDesign::Run r = design_.run(run);
+        ScenarioFile file = ready->file;
+        if (!subjects_.empty()) adopt_parameters(subjects_[r.subject], file.scenario);
+        apply_settings(design_.settings_of(r.values), file);
+        prepared.push_back({run, std::move(file)});
+      } catch (const std::exception& error) {
+        fail_run(run, error);
+      }
+    for (FinishedRun& f :
+         SweepBatch{design_, provenance_, limits_, ready->trunk, ready->stable}.simulate(std::move(prepared)))
+      done.push_back(std::move(f));
+  } catch (const Cancelled&) {
+  } catch (const std::exception& error) {
+    for (const std::size_t run : runs)
+      if (std::none_of(done.begin(), done.end(), [&](const FinishedRun& f) { return f.row.run == run; }))
+        fail_run(run, error);
+  }
+  return done;
+}
+
+}  // namespace trunk

@@ -1,0 +1,94 @@
+#pragma once
+
+#include <limits>
+
+#include "dynamics/volume_curve.hpp"
+
+namespace trunk {
+
+/// What a table keeps of one simulated breath, besides its curve.
+struct BreathCourse {
+  VolumeCurve curve;
+  double peak_pressure_Pa = 0.0;             // abdominal, above rest
+  double max_relative_volume_error = 0.0;    // of the held volume
+  std::vector<Vec3d> at_highest, at_lowest;  // [particles] m, where the lung volume was highest and lowest
+};
+
+/// Observes a simulation, in every lane by itself: (state, report) => course.
+template <Scalar S>
+class BreathWatch {
+ public:
+  BreathWatch(const Model& model, int steps, const WhileSimulated& check)
+      : model_(model), check_(check), start_volume_(enclosed_volume<double>(model.lung, model.rest)) {
+    delta_v_.reserve(static_cast<std::size_t>(steps) + 1);
+    at_highest_.resize(model.particles());
+    at_lowest_.resize(model.particles());
+  }
+
+  void operator()(int step, const State<S>& state, const StepReport<S>& report) {
+    constexpr int steps_between_checks = 64;
+    if (check_ && step % steps_between_checks == 0) check_();
+    const S volume = enclosed_volume<S>(model_.lung, state.position);
+    delta_v_.push_back(volume - S(start_volume_));
+    keep_larger(report.pressure_Pa, peak_pressure_Pa_);
+    keep_larger(relative_volume_error(state), max_relative_volume_error_);
+    keep_where(highest_ < volume, volume, state.position, highest_, at_highest_);
+    keep_where(volume < lowest_, volume, state.position, lowest_, at_lowest_);
+  }
+
+  /// Of one lane, what it saw until it ended.
+  BreathCourse course(Summary summary, int lane) const {
+    BreathCourse c;
+    const auto seen = static_cast<std::size_t>(summary.steps) + (summary.completed() ? 1 : 0);
+    for (std::size_t n = 0; n < seen; ++n) c.curve.delta_v.push_back(in_lane(delta_v_[n], lane));
+    c.curve.summary = std::move(summary);
+    require_lung(in_lane(lowest_, lane), c.curve.summary);
+    c.peak_pressure_Pa = in_lane(peak_pressure_Pa_, lane);
+    c.max_relative_volume_error = in_lane(max_relative_volume_error_, lane);
+    for (const auto& [lanes, alone] : {std::pair{&at_highest_, &c.at_highest}, {&at_lowest_, &c.at_lowest}})
+      for (const Vec3<S>& p : *lanes)
+        alone->emplace_back(in_lane(p.x(), lane), in_lane(p.y(), lane), in_lane(p.z(), lane));
+    return c;
+  }
+
+ private:
+  static void keep_larger(const S& value, S& most) { most = select(most < value, value, most); }
+
+  static void keep_where(const Mask<S>& better, const S& volume, const std::vector<Vec3<S>>& position,
+                         S& best, std::vector<Vec3<S>>& at_best) {
+    if (!any(better)) return;
+    best = select(better, volume, best);
+    for (std::size_t i = 0; i < position.size(); ++i) at_best[i] = select<S>(better, position[i], at_best[i]);
+  }
+
+  S relative_volume_error(const State<S>& state) const {
+    const HeldVolume& held = model_.abdomen;
+    const double fraction = held.target.empty() ? 1.0 : held.target(state.time_s);
+    const S error = enclosed_volume<S>(held.triangles, state.position) / S(fraction * held.rest) - S(1.0);
+    return select(error < S(0.0), -error, error);
+  }
+
+  const Model& model_;
+  const WhileSimulated& check_;
+  double start_volume_;
+  std::vector<S> delta_v_;  // [steps + 1]
+  S peak_pressure_Pa_{0.0}, max_relative_volume_error_{0.0};
+  S highest_{-std::numeric_limits<double>::infinity()}, lowest_{std::numeric_limits<double>::infinity()};
+  std::vector<Vec3<S>> at_highest_, at_lowest_;  // [particles]
+};
+
+/// The courses of trials, side by side in the lanes of S, each with the bits it has alone. trials:
+/// [1 to lanes_of<S>], as are courses.
+template <Scalar S>
+void calc_breath_courses(const Model& model, std::span<const Trial<double>> trials, const TimeGrid& grid,
+                         const WhileSimulated& check, std::span<BreathCourse> courses) {
+  BreathWatch<S> watch(model, grid.steps(), check);
+  const Trial<S> trial = in_lanes<S>(trials);
+  Summaries<S> summaries = simulate_lanes(model, trial.parameters, trial.activation, grid,
+                                          [&](int step, const S&, const State<S>& state,
+                                              const StepReport<S>& report) { watch(step, state, report); });
+  for (std::size_t i = 0; i < trials.size(); ++i)
+    courses[i] = watch.course(std::move(summaries[i]), static_cast<int>(i));
+}
+
+}  // namespace trunk
