@@ -5,8 +5,8 @@
 
 namespace trunk {
 
-/// What a file that is not HDF5 looks like, and which command takes it: "a scenario or other TOML; …". Goes
-/// by its first bytes, then by its name.
+/// What a file that is not HDF5 looks like, and which command takes it: "TOML, perhaps a scenario …; see …".
+/// Goes by its first bytes or its name.
 std::string look_of(const std::filesystem::path& path);
 
 }  // namespace trunk
