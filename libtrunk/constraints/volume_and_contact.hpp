@@ -37,7 +37,7 @@ template <Scalar S>
 VolumeCubic<S> volume_along_direction(const RingTable& rings, const Workspace<S>& w) noexcept {
   Vec3<S> c0, c1, c2, c3;
   for_each_ring(rings, [&]<std::size_t Valence>(std::size_t ring, std::size_t i,
-                                                std::span<const int, Valence> neighbours) {
+                                                std::span<const Neighbour, Valence> neighbours) {
     const Vec3<S> at_x = w.gradient[ring], x = w.corrected[i], d = w.direction[i];
     const Vec3<S> at_d = volume_gradient<S>(RingPositions<S, Valence>{neighbours, w.direction});
     c0 += hadamard(at_x, x);

@@ -9,9 +9,9 @@
 namespace trunk {
 namespace {
 
-LocalFrame<double> frame_of(std::span<const int> neighbours, std::span<const Vec3d> position) {
+LocalFrame<double> frame_of(std::span<const Neighbour> neighbours, std::span<const Vec3d> position) {
   std::vector<Vec3d> points;
-  for (int i : neighbours) points.push_back(position[static_cast<std::size_t>(i)]);
+  for (const Neighbour n : neighbours) points.push_back(n.in(position));
   return local_frame<double>(points);
 }
 
@@ -30,11 +30,11 @@ void begin_upward(RingTable& rings, std::span<const Vec3d> rest) {
     for (int r = group.first; r < group.last; ++r) {
       const Vec3d& particle = rest[static_cast<std::size_t>(rings.vertex[static_cast<std::size_t>(r)])];
       const auto begin = rings.neighbour.begin() + group.first_neighbour + (r - group.first) * group.valence;
-      const auto toward = [&](int i) {
-        const Vec3d d = rest[static_cast<std::size_t>(i)] - particle;
+      const auto toward = [&](Neighbour n) {
+        const Vec3d d = n.in(rest)-particle;
         return (1.0 / norm(d)) * d;
       };
-      const auto first = std::max_element(begin, begin + group.valence, [&](int i, int j) {
+      const auto first = std::max_element(begin, begin + group.valence, [&](Neighbour i, Neighbour j) {
         const Vec3d a = toward(i), b = toward(j);
         return std::abs(a.z() - b.z()) > tie ? a.z() < b.z() : a.y() + tie < b.y();
       });

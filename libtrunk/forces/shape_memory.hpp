@@ -110,12 +110,12 @@ void calc_four_rings(const ShapeMemory& memory, const RingTable::Group& group, i
                      RingReactions<double>& reactions) noexcept {
   using Four = Lanes<4>;
   const auto row = static_cast<std::size_t>(ring);
-  const int* neighbour = neighbours_of<Valence>(memory.rings, group, ring).data();
+  const Neighbour* neighbour = neighbours_of<Valence>(memory.rings, group, ring).data();
   const auto vertex = [&](std::size_t lane) {
     return static_cast<std::size_t>(memory.rings.vertex[row + lane]);
   };
   const auto in_ring = [&](std::size_t lane, std::size_t j) -> const Vec3d& {
-    return position[static_cast<std::size_t>(neighbour[lane * Valence + j])];
+    return neighbour[lane * Valence + j].in(position);
   };
   std::array<Vec3<Four>, Valence> neighbours;
   for (std::size_t j = 0; j < Valence; ++j)
@@ -162,19 +162,19 @@ void calc_rings(const ShapeMemory& memory, const RingTable::Group& group, std::s
 template <Reaction reaction, Scalar S>
 void add_ring_forces(const RingTable& rings, std::span<const Vec3<S>> position,
                      const RingReactions<S>& reactions, std::span<Vec3<S>> force) noexcept {
-  for_each_ring(
-      rings, [&]<std::size_t Valence>(std::size_t, std::size_t vertex, std::span<const int, Valence> ring) {
-        const RingPositions<S, Valence> share{ring, reactions.share};
-        Vec3<S> asked = share[0];
-        for (std::size_t j = 1; j < ring.size(); ++j) asked += share[j];
-        if constexpr (reaction == Reaction::variational)
-          asked += twice_area_change<S>(RingPositions<S, Valence>{ring, position},
-                                        RingPositions<S, Valence>{ring, reactions.tilt});
-        force[vertex] += reactions.on_particle[vertex] - asked;
-      });
+  for_each_ring(rings, [&]<std::size_t Valence>(std::size_t, std::size_t vertex,
+                                                std::span<const Neighbour, Valence> ring) {
+    const RingPositions<S, Valence> share{ring, reactions.share};
+    Vec3<S> asked = share[0];
+    for (std::size_t j = 1; j < ring.size(); ++j) asked += share[j];
+    if constexpr (reaction == Reaction::variational)
+      asked += twice_area_change<S>(RingPositions<S, Valence>{ring, position},
+                                    RingPositions<S, Valence>{ring, reactions.tilt});
+    force[vertex] += reactions.on_particle[vertex] - asked;
+  });
   if constexpr (reaction == Reaction::variational)
     for_each_ring(rings, [&](std::size_t, std::size_t vertex, auto ring) {
-      force[static_cast<std::size_t>(ring[0])] -= reactions.spin[vertex];
+      ring[0].in(force) -= reactions.spin[vertex];
     });
 }
 

@@ -16,7 +16,7 @@ RingTable ring_table(const Surface& surface) {
       table.groups.push_back({valence, row, row, static_cast<int>(table.neighbour.size())});
     ++table.groups.back().last;
     table.vertex.push_back(vertex);
-    table.neighbour.insert(table.neighbour.end(), neighbours.begin(), neighbours.end());
+    for (const int neighbour : neighbours) table.neighbour.emplace_back(neighbour);
   }
   return table;
 }

@@ -62,7 +62,7 @@ template <Scalar S>
 void calc_volume_gradient(const RingTable& rings, std::span<const Vec3<S>> positions,
                           std::span<Vec3<S>> gradient) noexcept {
   for_each_ring(rings, [&]<std::size_t Valence>(std::size_t ring, std::size_t,
-                                                std::span<const int, Valence> neighbours) {
+                                                std::span<const Neighbour, Valence> neighbours) {
     gradient[ring] = volume_gradient<S>(RingPositions<S, Valence>{neighbours, positions});
   });
 }

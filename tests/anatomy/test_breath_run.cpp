@@ -99,7 +99,7 @@ TEST_CASE("Breaths summarised side by side are those of each alone, also beside 
   Scenario scenario = shipped("hemiparalysis_right");
   scenario.time.duration_s = 0.3;
   const Trunk trunk = make_trunk(scenario);
-  std::vector<Trial<double>> trials(batch_lanes + 1, {scenario.parameters, scenario.activation});
+  std::vector<Trial<double>> trials(batch_lanes() + 1, {scenario.parameters, scenario.activation});
   for (std::size_t i = 0; i < trials.size(); ++i)
     trials[i].parameters.muscle *= 1.0 + 0.2 * static_cast<double>(i);
   trials[1].parameters.elasticity = 1e7;  // unstable

@@ -135,7 +135,6 @@ TEST_CASE("what is optional may be absent, tables may be empty, texts long", "[r
 
   SweepRecord no_curves = sample_sweep();
   no_curves.curve_time_s.clear();
-  no_curves.curve_dV_ml.clear();
   write_sweep(folder / "no_curves.h5", no_curves);
   CHECK_THAT(describe_file(folder / "no_curves.h5"), Contains("[2, 0]"));
 

@@ -146,7 +146,10 @@ inline SweepRecord sample_sweep() {
   sweep.error = {"", "step 12: no volume root"};
   sweep.run_file = {"run.h5", ""};
   sweep.curve_time_s = {0, 1, 2};
-  sweep.curve_dV_ml = {0, 400, 0, 0, 1, 2};
+  sweep.fill_curves_ml = [](std::size_t first, std::span<double> dV_ml) {
+    const std::vector<double> all = {0, 400, 0, 0, 1, 2};
+    std::copy_n(all.begin() + 3 * static_cast<std::ptrdiff_t>(first), dV_ml.size(), dV_ml.begin());
+  };
   sweep.provenance = sample_provenance();
   return sweep;
 }
