@@ -85,7 +85,8 @@ Json bootstrap_json(const Bootstrap& b, const Uncertainty& u) {
 
 std::string estimate_line(const Estimate& p, const Profile* profile) {
   const auto range = [](double low, double high) {
-    return std::isfinite(low) || std::isfinite(high)
+    const bool knows_nothing = low > 0.0 && high > 1e4 * low;
+    return !knows_nothing && (std::isfinite(low) || std::isfinite(high))
                ? fmt::format("{} to {}", shown(low, "{:.4g}"), shown(high, "{:.4g}"))
                : std::string("not known");
   };

@@ -119,7 +119,8 @@ std::string verdict_of(const Uncertainty& u) {
                        damping_free ? "" : ", for the damping assumed", s.determined, leaning_on_priors(u));
   std::string text;
   if (ratio_matters)
-    text = "Only the ratio is determined: " + s.determined + ". ";
+    text = (u.parameters.size() == 2 ? "Only the ratio is determined: " : "Determined by this trace: ") +
+           s.determined + ". ";
   else if (!s.determined.empty())
     text = "Determined by this trace: " + s.determined + ". ";
   else if (!u.combinations.empty() && u.parameters.size() > 1 && u.combinations.front().relative_stderr < 0.5)

@@ -60,6 +60,14 @@ BreathSummary summary_of(const Trunk& trunk, BreathCourse course) {
   return s;
 }
 
+/// The kernel of the fewest tangents that take all directions at once: half of their work is in the values,
+/// which wider registers do not make faster.
+const Kernel& kernel_for(std::size_t directions) {
+  for (const Kernel* k : kernels())
+    if (static_cast<std::size_t>(k->tangents) >= directions) return *k;
+  return kernel();
+}
+
 }  // namespace
 
 BreathRun run_breath(const Trunk& trunk, const Scenario& scenario, int frame_every,
@@ -121,13 +129,14 @@ std::vector<VolumeCurve> simulate_volumes(const Trunk& trunk, std::span<const Tr
 VolumeDerivatives simulate_volume_derivatives(const Trunk& trunk, const Trial<double>& trial,
                                               std::span<const Trial<double>> directions,
                                               const TimeGrid& grid) {
-  const auto at_once = static_cast<std::size_t>(kernel().tangents);
+  const Kernel& kernel = kernel_for(directions.size());
+  const auto at_once = static_cast<std::size_t>(kernel.tangents);
   VolumeDerivatives result{{}, std::vector<std::vector<double>>(directions.size())};
   std::size_t first = 0;
   do {
     const std::size_t count = std::min(at_once, directions.size() - first);
-    kernel().volume_derivatives(trunk.model, trial, directions.subspan(first, count), grid, result.curve,
-                                std::span(result.along).subspan(first, count));
+    kernel.volume_derivatives(trunk.model, trial, directions.subspan(first, count), grid, result.curve,
+                              std::span(result.along).subspan(first, count));
     first += count;
   } while (first < directions.size());
   return result;
