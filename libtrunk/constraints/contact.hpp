@@ -109,11 +109,12 @@ void record_press(const Model& model, const S& multiplier, const Workspace<S>& w
 
 /// Coulomb's law for the particles that touched at the last step, with the push of that step (our choice; it
 /// is late by one step): one that would slide less far than friction times the push sticks to the surface,
-/// any other is held back by that much. (direction, contact, multiplier) => predicted, contact
+/// any other is held back by that much. A push of round-off, as at rest, makes nothing stick. (direction,
+/// contact, multiplier) => predicted, contact
 template <Scalar S>
 void apply_friction(const Model& model, State<S>& state, Workspace<S>& w) noexcept {
   using std::sqrt;
-  const S nothing(1e-300);
+  const S nothing(1e-300), round_off(1e-13);
   for (std::size_t s = 0; s < model.supports.size(); ++s) {
     auto& contact = state.contact[s];
     const auto i = static_cast<std::size_t>(model.supports[s].particle);
@@ -121,7 +122,7 @@ void apply_friction(const Model& model, State<S>& state, Workspace<S>& w) noexce
     const Vec3<S> predicted_slide = along<S>(w.plane[s], w.predicted[i] - carried);
     const Vec3<S> slide = along<S>(w.plane[s], unsupported(model, s, state.multiplier, w) - carried);
     const S length = sqrt(dot(slide, slide) + nothing), limit = S(model.friction) * contact.press;
-    contact.sticking = Mask<S>(contact.touching & (length < limit));
+    contact.sticking = Mask<S>(contact.touching & (round_off < contact.press) & (length < limit));
     const Vec3<S> held_back = select(contact.sticking, predicted_slide, (limit / length) * slide);
     w.predicted[i] = select(contact.touching, w.predicted[i] - held_back, w.predicted[i]);
   }

@@ -39,13 +39,14 @@ class VolumeAndRibs:
     def rub(self, predicted, positions, planes, direction):
         """Coulomb's law for those that touched at the last step, with the push and the multiplier of that step. A
         particle that would slide along the (moving) surface by less than friction times the push sticks, that is,
-        goes where the surface goes and is not corrected along it; another slides less far by that much."""
+        goes where the surface goes and is not corrected along it; another slides less far by that much. A push of
+        round-off, as at rest, makes nothing stick."""
         particles = self.body.ribs.particles
         stays = positions[:, particles] + planes.moved_on
         own = planes.along(predicted[:, particles] - stays)
         slide = planes.along(predicted[:, particles] + self.multiplier * direction[:, particles] - stays)
         length, limit = np.sqrt(dot(slide, slide)), self.friction * self.press
-        self.sticking = self.touching & (length < limit)
+        self.sticking = self.touching & (self.press > 1e-13) & (length < limit)
         held_back = np.where(self.sticking, own, limit / np.maximum(length, 1e-150) * slide)
         predicted = predicted.copy()
         predicted[:, particles] -= np.where(self.touching, held_back, 0.0)
