@@ -69,7 +69,7 @@ TEST_CASE("under AR(1) noise the corrected covariance is the spread of repeated 
   CHECK(naive(0, 0) < 0.3 * spread(0, 0));  // what forgetting it would claim
 }
 
-TEST_CASE("what a fit takes away does not hide the noise's memory and size", "[property]") {
+TEST_CASE("what a fit takes away does not hide the noise's memory and size", "[property][slow]") {
   const int n = 200, repeats = 200;
   Eigen::MatrixXd j(n, 7);  // as smooth as the directions of a breath
   for (int i = 0; i < n; ++i)
