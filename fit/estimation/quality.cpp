@@ -39,8 +39,7 @@ std::string caveat(const Quality& q, double residual_autocorrelation) {
   if (q.nrmse > small && q.nrmse < usual && residual_autocorrelation > smooth)
     return fmt::format(
         " What is left ({:.1f} % of tidal volume) is smooth, not noise: the model's course of the activation "
-        "does "
-        "not quite fit, and the numbers would move by more than their intervals with another (--free "
+        "does not quite fit, and the numbers would move by more than their intervals with another (--free "
         "k_elasticity,k_muscle,timing,fast_fall_level,shape shows how far).",
         100.0 * q.nrmse);
   if (q.baseline_nrmse <= 0.0 || q.nrmse < std::max(usual, 2.0 * q.baseline_nrmse)) return "";

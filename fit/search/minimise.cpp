@@ -7,6 +7,7 @@
 #include <exception>
 #include <limits>
 #include <memory>
+#include <stdexcept>
 
 #include "errors/input_error.hpp"
 
@@ -61,12 +62,14 @@ struct Call {
 
   void write_gradient(const Eigen::VectorXd& x, const Outcome& outcome, double* gradient) {
     auto out = Eigen::VectorXd::Map(gradient, x.size());
-    const Slopes j = outcome.residuals ? slopes_at(problem, x) : std::nullopt;
+    if (!outcome.residuals) {  // the value is a penalty, which no search stays at
+      out.setZero();
+      return;
+    }
+    const Slopes j = slopes_at(problem, x);
     evaluations += problem.exact_slopes ? 1 : static_cast<int>(x.size());
-    if (j)
-      out = 2.0 * j->transpose() * *outcome.residuals;
-    else
-      out.setZero();  // the value is a penalty, which no search stays at
+    if (!j) throw std::runtime_error("the model fails beside a point a gradient is needed at: try bobyqa");
+    out = 2.0 * j->transpose() * *outcome.residuals;
   }
 };
 
