@@ -1,4 +1,7 @@
-"""Headless Chromium for the tests and the screenshot of `trunk report`: Debian's, driven by Debian's Selenium."""
+"""Headless Chromium for the tests and the screenshot of `trunk report`: Debian's, driven by Debian's Selenium.
+
+Not by playwright-core: it speaks to the builds of Chromium it was made for, while chromium-driver is of the version of the
+Chromium it is installed with, and neither Node nor npm is needed to run the tests."""
 
 import base64
 import json

@@ -1,13 +1,13 @@
-"""Pages of `trunk report` in a real browser, from file://. Skipped where Chromium is not installed: it is large.
+"""Pages of `trunk report` in a real browser, from file://: every kind, as README's commands make them.
 
-Set TRUNK_SCREENSHOTS to a folder to keep pictures of the pages there."""
+Pictures of the pages go to the folder TRUNK_SCREENSHOTS, where it is set."""
 
 import os
 import unittest
 from pathlib import Path
 
 import browser
-from support import COARSE, FAST_FIT, HEALTHY, SCENARIOS, TrunkTest, scenario_with, trace
+from support import COARSE, HEALTHY, ROOT, SCENARIOS, TrunkTest, scenario_with
 
 try:
     import h5py
@@ -128,8 +128,8 @@ class Page(PageTest):
         page.run("document.querySelectorAll('[data-part]').forEach((box) => box.click())")
 
     def test_two_runs(self):
-        self.succeeds("simulate", HEALTHY, "-o", "healthy.h5", *COARSE)
-        self.succeeds("simulate", SCENARIOS / "hemiparalysis_right.toml", "-o", "paralysed.h5", *COARSE)
+        self.succeeds("simulate", HEALTHY, "-o", "healthy.h5")
+        self.succeeds("simulate", SCENARIOS / "hemiparalysis_right.toml", "-o", "paralysed.h5")
         page = self.opened("healthy.h5", "paralysed.h5", name="two")
         self.wait_for_paint()
         pictures = [self.picture(f"document.querySelectorAll('canvas.trunk')[{i}]") for i in (0, 1)]
@@ -140,8 +140,7 @@ class Page(PageTest):
         self.finish("two")
 
     def test_fit(self):
-        self.file("t.csv", trace())
-        json = self.succeeds("fit", HEALTHY, "--trace", "t.csv", "-o", "f.h5", *FAST_FIT, "--surface", "5", codes=(0, 4))
+        json = self.succeeds("fit", HEALTHY, "--trace", ROOT / "reference" / "constructed_trace.csv", "-o", "f.h5")
         page = self.opened("f.h5", name="fit")
         self.assertEqual(page.run("return document.querySelector('.verdict').textContent"), json["verdict"])
         for name, estimate in json["parameters"].items():
@@ -149,7 +148,21 @@ class Page(PageTest):
         self.assertEqual(page.run("return document.querySelectorAll('.drawing.large image, .drawing.large .ridge').length"), 3)
         self.finish("fit")
 
-    def test_sweep(self):
+    def test_sweep_of_60_runs(self):
+        self.succeeds("sweep", SCENARIOS / "sweep_paralysis.toml", "-o", "d")
+        page = self.opened("d/sweep.h5", name="sweep_60")
+        with h5py.File(self.folder / "d" / "sweep.h5") as file:
+            volumes = sorted(float(f"{v:.5g}") for v in file["table/delta_v_ml"][()])
+        self.assertEqual(len(volumes), 60)
+        number = page.run("""return [...document.querySelectorAll('.sortable th')].findIndex(
+            (h) => h.firstChild.title === 'sort by ΔV, tidal volume')""")
+        shown = page.run("""return [...document.querySelectorAll('.sortable tbody tr')].map(
+            (r) => Number(r.cells[arguments[0]].textContent))""", number)
+        self.assertEqual(sorted(shown), volumes)
+        self.assertEqual(page.run("return document.querySelectorAll('.cell path').length"), 60)
+        self.finish("sweep_60")
+
+    def test_sweep_sorts(self):
         design = self.file("s.toml", f'schema = "trunk.sweep/1"\nscenarios = ["{HEALTHY}", "{SCENARIOS}/hemiparalysis_right.toml"]\n'
                                      '[grid]\n"parameters.k_muscle_N_per_m" = [20, 30.5, 9]\n"time.dt_ms" = [3]\n'
                                      '"time.duration_s" = [0.3]\n')
