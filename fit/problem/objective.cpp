@@ -47,13 +47,22 @@ void Objective::charge(Loss loss, double scale) {
   loss_scale_ = scale;
 }
 
+/// What was too stiff for a time step longer than 1 ms may be simulated in shorter ones.
+std::optional<TimeGrid> finer(const TimeGrid& grid, const Summary& failed) {
+  constexpr double fine_s = 1e-3;
+  if (failed.completed() || grid.dt_s <= fine_s) return std::nullopt;
+  return TimeGrid{fine_s, grid.duration_s, grid.damping};
+}
+
 std::vector<LedgerEntry> Objective::simulate(const std::vector<Candidate>& candidates) const {
   const auto start = std::chrono::steady_clock::now();
   std::vector<LedgerEntry> entries;
-  for (const VolumeCurve& curve : simulate_volumes(trunk_, candidates, grid_)) {
+  for (VolumeCurve& curve : simulate_volumes(trunk_, candidates, grid_)) {
+    const auto again = finer(grid_, curve.summary);
+    if (again) curve = simulate_volumes(trunk_, {&candidates[entries.size()], 1}, *again).front();
     entries.push_back({static_cast<std::int32_t>(curve.summary.status), curve.summary.time_s, 0.0, {}});
     if (!curve.summary.completed()) continue;
-    const Eigen::VectorXd model = as_target_sees(target_, curve.delta_v, grid_.dt_s);
+    const Eigen::VectorXd model = as_target_sees(target_, curve.delta_v, again.value_or(grid_).dt_s);
     entries.back().values.assign(model.data(), model.data() + model.size());
   }
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
@@ -64,11 +73,17 @@ std::vector<LedgerEntry> Objective::simulate(const std::vector<Candidate>& candi
 /// The model at the target's samples along each coordinate, one after the other.
 LedgerEntry Objective::simulate_slopes(const Eigen::VectorXd& x, const Candidate& candidate) const {
   const auto start = std::chrono::steady_clock::now();
-  const auto [curve, along] = simulate_volume_derivatives(trunk_, candidate, space_.directions(x), grid_);
+  TimeGrid grid = grid_;
+  VolumeDerivatives found = simulate_volume_derivatives(trunk_, candidate, space_.directions(x), grid);
+  if (const auto again = finer(grid, found.curve.summary)) {
+    grid = *again;
+    found = simulate_volume_derivatives(trunk_, candidate, space_.directions(x), grid);
+  }
+  const auto& [curve, along] = found;
   LedgerEntry entry{static_cast<std::int32_t>(curve.summary.status), curve.summary.time_s, 0.0, {}};
   if (curve.summary.completed())
     for (const std::vector<double>& derivative : along) {
-      const Eigen::VectorXd seen = as_target_sees(target_, curve.delta_v, derivative, grid_.dt_s);
+      const Eigen::VectorXd seen = as_target_sees(target_, curve.delta_v, derivative, grid.dt_s);
       entry.values.insert(entry.values.end(), seen.data(), seen.data() + seen.size());
     }
   entry.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

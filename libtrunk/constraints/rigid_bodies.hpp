@@ -72,9 +72,9 @@ void predict_bodies(const Model& model, const State<S>& state, double end_s, Wor
 }
 
 /// How a free body moves under a unit of the volume's multiplier: as under the forces dV/dP of the particles
-/// it carries. (gradient, predicted) => body, direction
+/// it carries, at the start of the step. (state, area, predicted) => body, direction
 template <Scalar S>
-void calc_body_directions(const Model& model, Workspace<S>& w) noexcept {
+void calc_body_directions(const Model& model, const State<S>& state, Workspace<S>& w) noexcept {
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     const RigidBody& body = model.bodies[b];
     if (body.motion != RigidBody::Motion::free || body.held_rows.empty()) continue;
@@ -84,9 +84,9 @@ void calc_body_directions(const Model& model, Workspace<S>& w) noexcept {
     };
     Vec3<S> push, moment;
     for (int row : body.held_rows) {
-      const Vec3<S> gradient = w.gradient[static_cast<std::size_t>(row)];
+      const Vec3<S> gradient = S(1.0 / 6.0) * w.reactions.area[vertex(row)];
       push += gradient;
-      moment += cross(w.predicted[vertex(row)] - next.pose.centre, gradient);
+      moment += cross(state.position[vertex(row)] - state.body[b].pose.centre, gradient);
     }
     next.linear = next.inverse_effective_mass * push;
     next.moment = next.retained * moment;

@@ -17,16 +17,15 @@ struct Projection {
 
 namespace detail {
 
-/// The volume correction: dV/dP over the effective mass (the paper's eq. 2 for equal masses) along free axes.
-/// (gradient) => direction, free_direction
+/// The volume correction: dV/dP over the effective mass (the paper's eq. 2 for equal masses) along free axes,
+/// at the start of the step, where the forces are taken too (our choice; the paper takes it at the predicted
+/// positions): particles at rest then balance forces and pressure whatever the time step. (state, area) =>
+/// direction, free_direction
 template <Scalar S>
-void calc_direction(const Model& model, Workspace<S>& w) noexcept {
-  const RingTable& rings = model.abdomen.rings;
-  for (std::size_t r = 0; r < rings.size(); ++r) {
-    const auto i = static_cast<std::size_t>(rings.vertex[r]);
-    w.direction[i] = hadamard(w.push_weight[i], w.gradient[r]);
-  }
-  calc_body_directions(model, w);
+void calc_direction(const Model& model, const State<S>& state, Workspace<S>& w) noexcept {
+  for (const std::size_t i : w.held_moving)
+    w.direction[i] = hadamard(w.push_weight[i], S(1.0 / 6.0) * w.reactions.area[i]);
+  calc_body_directions(model, state, w);
   for (std::size_t s = 0; s < model.supports.size(); ++s)
     w.free_direction[s] = w.direction[static_cast<std::size_t>(model.supports[s].particle)];
 }
@@ -36,17 +35,18 @@ void calc_direction(const Model& model, Workspace<S>& w) noexcept {
 template <Scalar S>
 VolumeCubic<S> volume_along_direction(const RingTable& rings, const Workspace<S>& w) noexcept {
   Vec3<S> c0, c1, c2, c3;
-  for_each_ring(rings, [&]<std::size_t Valence>(std::size_t ring, std::size_t i,
+  for_each_ring(rings, [&]<std::size_t Valence>(std::size_t, std::size_t i,
                                                 std::span<const Neighbour, Valence> neighbours) {
-    const Vec3<S> at_x = w.gradient[ring], x = w.corrected[i], d = w.direction[i];
-    const Vec3<S> at_d = volume_gradient<S>(RingPositions<S, Valence>{neighbours, w.direction});
+    const Vec3<S> x = w.corrected[i], d = w.direction[i];
+    const Vec3<S> at_x = twice_area<S>(RingPositions<S, Valence>{neighbours, w.corrected});
+    const Vec3<S> at_d = twice_area<S>(RingPositions<S, Valence>{neighbours, w.direction});
     c0 += hadamard(at_x, x);
     c1 += hadamard(at_x, d);
     c2 += hadamard(at_d, x);
     c3 += hadamard(at_d, d);
   });
-  const auto total = [](const Vec3<S>& a) { return a.x() + a.y() + a.z(); };
-  return {S(1.0 / 3.0) * total(c0), total(c1), total(c2), S(1.0 / 3.0) * total(c3)};
+  const auto sixth = [](const Vec3<S>& a) { return S(1.0 / 6.0) * (a.x() + a.y() + a.z()); };
+  return {S(1.0 / 3.0) * sixth(c0), sixth(c1), sixth(c2), S(1.0 / 3.0) * sixth(c3)};
 }
 
 /// True where no multiplier fits between the bounds but round-off: a particle touches without any force, and
@@ -68,8 +68,7 @@ S restore_rigid_bodies(const Model& model, const S& target, const S& slope, S mu
   for (int n = 0; place_corrected_bodies(model, multiplier, w) && n < corrections; ++n) {
     const S volume = enclosed_volume<S>(model.abdomen.triangles, w.corrected);
     const S change = (target - volume) / slope;
-    for (int vertex : model.abdomen.rings.vertex)
-      w.corrected[static_cast<std::size_t>(vertex)] += change * w.direction[static_cast<std::size_t>(vertex)];
+    for (const std::size_t i : w.held_moving) w.corrected[i] += change * w.direction[i];
     multiplier = multiplier + change;
   }
   return multiplier;
@@ -90,13 +89,19 @@ Projection<S> project_supports(const Model& model, State<S>& state, Workspace<S>
 
 }  // namespace detail
 
+/// The areas of the held volume's rings where its surface is not elastic: else they came with the forces.
+/// (state) => area
+template <Scalar S>
+void calc_held_areas(const Model& model, const State<S>& state, Workspace<S>& w) noexcept {
+  if (!w.elastic_volume) calc_ring_areas<S>(model.abdomen.rings, state.position, w.reactions.area);
+}
+
 /// Solves for positions that enclose the target volume exactly (paper, eq. 2) and cross no support, together:
-/// x = predicted + lambda d, put back on the plane where that is outside, with V(x) = target. The direction d
-/// is dV/dP over the effective mass, along free axes, at the predicted positions with those that touched at
-/// the last step put back on their plane from either side (our choice). V(x(lambda)) increases with lambda
-/// piece by piece, a cubic each; the search for the right piece starts from the last step's, takes the root
-/// of each piece, and halves the bracket where that leaves it. A lane that has arrived stays as it is while
-/// others search on: it does what it would do alone. (predicted, state.contact) => corrected, state.contact
+/// x = predicted + lambda d, put back on the plane where that is outside, with V(x) = target, and d the
+/// direction of `calc_direction`. V(x(lambda)) increases with lambda piece by piece, a cubic each; the search
+/// for the right piece starts from the last step's, takes the root of each piece, and halves the bracket
+/// where that leaves it. A lane that has arrived stays as it is while others search on: it does what it would
+/// do alone. (predicted, area, state) => corrected, state.contact
 template <Scalar S>
 Projection<S> project_volume_and_supports(const Model& model, const S& target, State<S>& state,
                                           Workspace<S>& w) noexcept {
@@ -105,18 +110,11 @@ Projection<S> project_volume_and_supports(const Model& model, const S& target, S
   if (rings.size() == 0) return detail::project_supports(model, state, w);
   S low(-1e300), high(1e300), multiplier(0.0), slope(1.0);
   Mask<S> searching = w.running;
+  detail::calc_direction(model, state, w);
+  if (model.friction > 0.0) detail::apply_friction(model, state, w);
   w.corrected = w.predicted;
   for (int search = 0; search < max_searches && any(searching); ++search) {
     detail::project_onto_supports(model, state, searching, w);
-    calc_volume_gradient<S>(rings, w.corrected, w.gradient);
-    if (search == 0) {
-      detail::calc_direction(model, w);
-      if (model.friction > 0.0) {
-        detail::apply_friction(model, state, w);
-        detail::project_onto_supports(model, state, searching, w);
-        calc_volume_gradient<S>(rings, w.corrected, w.gradient);
-      }
-    }
     detail::slide_along_supports(model, state, searching, w);
     const VolumeCubic<S> cubic = detail::volume_along_direction(rings, w);
     Mask<S> reached = S(1.0) < S(0.0);
@@ -137,10 +135,7 @@ Projection<S> project_volume_and_supports(const Model& model, const S& target, S
     const Mask<S> kept = detail::update_touching(model, multiplier, searching, w, state);
     searching = Mask<S>(searching & !(reached | (accepted & (kept | exhausted))));
   }
-  for (int vertex : rings.vertex) {
-    const auto i = static_cast<std::size_t>(vertex);
-    w.corrected[i] += multiplier * w.direction[i];
-  }
+  for (const std::size_t i : w.held_moving) w.corrected[i] += multiplier * w.direction[i];
   if (model.friction > 0.0) detail::record_press(model, multiplier, w, state);
   multiplier = detail::restore_rigid_bodies(model, target, slope, multiplier, w);
   return {multiplier, Mask<S>(finite(multiplier) & !searching)};

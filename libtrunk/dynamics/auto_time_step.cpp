@@ -61,12 +61,12 @@ std::optional<double> estimated_error(const Model& model, const Trial<double>& t
 
 TimeStepChoice auto_time_step(const Model& model, const Parameters<double>& parameters,
                               const BreathActivation<double>& activation, double duration_s) {
-  constexpr double safety = 0.9;
+  constexpr double safety = 0.92;
   const Trial<double> trial{parameters, activation};
   TimeStepChoice choice{{fine_s, duration_s}, stable_time_step(model, parameters), 0.0};
   const auto fine = run(model, trial, choice.grid);
   if (!fine) return choice;
-  for (const double ms : {6.0, 5.0, 4.0, 3.0, 2.5, 2.0, 1.5})
+  for (const double ms : {6.0, 5.5, 5.0, 4.5, 4.0, 3.5, 3.0, 2.5, 2.0, 1.5})
     for (const Damping damping : {Damping::centred, Damping::implicit}) {
       const TimeGrid grid{1e-3 * ms, duration_s, damping};
       const double stable_s = stable_time_step(model, parameters, damping);

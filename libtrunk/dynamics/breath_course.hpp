@@ -19,7 +19,7 @@ template <Scalar S>
 class BreathWatch {
  public:
   BreathWatch(const Model& model, int steps, const WhileSimulated& check)
-      : model_(model), check_(check), start_volume_(enclosed_volume<double>(model.lung, model.rest)) {
+      : model_(model), check_(check), gain_(model) {
     delta_v_.reserve(static_cast<std::size_t>(steps) + 1);
     at_highest_.resize(model.particles());
     at_lowest_.resize(model.particles());
@@ -28,12 +28,12 @@ class BreathWatch {
   void operator()(int step, const State<S>& state, const StepReport<S>& report) {
     constexpr int steps_between_checks = 64;
     if (check_ && step % steps_between_checks == 0) check_();
-    const S volume = enclosed_volume<S>(model_.lung, state.position);
-    delta_v_.push_back(volume - S(start_volume_));
+    const S gain = gain_.of<S>(state.position);
+    delta_v_.push_back(gain);
     keep_larger(report.pressure_Pa, peak_pressure_Pa_);
     keep_larger(relative_volume_error(state), max_relative_volume_error_);
-    keep_where(highest_ < volume, volume, state.position, highest_, at_highest_);
-    keep_where(volume < lowest_, volume, state.position, lowest_, at_lowest_);
+    keep_where(highest_ < gain, gain, state.position, highest_, at_highest_);
+    keep_where(gain < lowest_, gain, state.position, lowest_, at_lowest_);
   }
 
   /// Of one lane, what it saw until it ended.
@@ -42,7 +42,7 @@ class BreathWatch {
     const auto seen = static_cast<std::size_t>(summary.steps) + (summary.completed() ? 1 : 0);
     for (std::size_t n = 0; n < seen; ++n) c.curve.delta_v.push_back(in_lane(delta_v_[n], lane));
     c.curve.summary = std::move(summary);
-    require_lung(in_lane(lowest_, lane), c.curve.summary);
+    require_lung(enclosed_volume<double>(model_.lung, model_.rest) + in_lane(lowest_, lane), c.curve.summary);
     c.peak_pressure_Pa = in_lane(peak_pressure_Pa_, lane);
     c.max_relative_volume_error = in_lane(max_relative_volume_error_, lane);
     for (const auto& [lanes, alone] : {std::pair{&at_highest_, &c.at_highest}, {&at_lowest_, &c.at_lowest}})
@@ -54,10 +54,10 @@ class BreathWatch {
  private:
   static void keep_larger(const S& value, S& most) { most = select(most < value, value, most); }
 
-  static void keep_where(const Mask<S>& better, const S& volume, const std::vector<Vec3<S>>& position,
-                         S& best, std::vector<Vec3<S>>& at_best) {
+  static void keep_where(const Mask<S>& better, const S& gain, const std::vector<Vec3<S>>& position, S& best,
+                         std::vector<Vec3<S>>& at_best) {
     if (!any(better)) return;
-    best = select(better, volume, best);
+    best = select(better, gain, best);
     for (std::size_t i = 0; i < position.size(); ++i) at_best[i] = select<S>(better, position[i], at_best[i]);
   }
 
@@ -70,7 +70,7 @@ class BreathWatch {
 
   const Model& model_;
   const WhileSimulated& check_;
-  double start_volume_;
+  LungGain gain_;
   std::vector<S> delta_v_;  // [steps + 1]
   S peak_pressure_Pa_{0.0}, max_relative_volume_error_{0.0};
   S highest_{-std::numeric_limits<double>::infinity()}, lowest_{std::numeric_limits<double>::infinity()};

@@ -49,12 +49,11 @@ void predict(const State<S>& state, Workspace<S>& w) noexcept {
 
 /// Velocities are what the constraints let through. (corrected, body) => state
 template <Scalar S>
-void accept(const Model& model, const S& multiplier, const Workspace<S>& w, State<S>& state) noexcept {
+void accept(const Model& model, const S& multiplier, Workspace<S>& w, State<S>& state) noexcept {
   const S rate(1.0 / w.dt_s);
-  for (std::size_t i = 0; i < state.position.size(); ++i) {
+  for (std::size_t i = 0; i < state.position.size(); ++i)
     state.velocity[i] = rate * (w.corrected[i] - state.position[i]);
-    state.position[i] = w.corrected[i];
-  }
+  std::swap(state.position, w.corrected);
   accept_bodies(model, multiplier, w, state);
   state.multiplier = multiplier;
   state.time_s += w.dt_s;
@@ -65,6 +64,7 @@ template <Scalar S>
 StepReport<S> step(const Model& model, const Parameters<S>& parameters, const S& activation, State<S>& state,
                    Workspace<S>& w) noexcept {
   calc_forces(model, parameters, activation, state, w);
+  calc_held_areas(model, state, w);
   predict(state, w);
   const double end_s = state.time_s + w.dt_s;
   predict_bodies(model, state, end_s, w);

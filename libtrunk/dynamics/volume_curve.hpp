@@ -17,15 +17,31 @@ struct VolumeCurve {
 void require_lung(double lowest_volume, Summary& summary);
 void require_lung(double start_volume, VolumeCurve& curve);
 
+/// Lung volume above its start, m3. Triangles that are still add the same at all times and are left out.
+class LungGain {
+ public:
+  explicit LungGain(const Model& model);
+
+  /// position: [particles] m
+  template <Scalar S>
+  S of(std::span<const Vec3<S>> position) const noexcept {
+    return enclosed_volume<S>(moving_, position) - S(start_);
+  }
+
+ private:
+  std::vector<Triangle> moving_;
+  double start_;  // m3, what they enclose with the origin at rest
+};
+
 /// Lung volume above its start at every step that was reached, m3.
 template <Scalar S>
 Summaries<S> simulate_volume(const Model& model, const Trial<S>& trial, const TimeGrid& grid,
                              std::vector<S>& delta_v) {
-  const S start_volume(enclosed_volume<double>(model.lung, model.rest));
+  const LungGain gain(model);
   delta_v.reserve(static_cast<std::size_t>(grid.steps()) + 1);
   return simulate_lanes(model, trial.parameters, trial.activation, grid,
                         [&](int, const S&, const State<S>& state, const StepReport<S>&) {
-                          delta_v.push_back(enclosed_volume<S>(model.lung, state.position) - start_volume);
+                          delta_v.push_back(gain.of<S>(state.position));
                         });
 }
 

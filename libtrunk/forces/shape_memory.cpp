@@ -59,8 +59,9 @@ ShapeMemory make_shape_memory(const Surface& surface, std::span<const Vec3d> res
                               std::span<const double> stiffness_weight,
                               std::span<const double> abdominal_share, Reaction reaction) {
   require_usable(surface);
-  ShapeMemory memory{reaction, ring_table(surface), {}, {}, {}};
+  ShapeMemory memory{reaction, ring_table(surface), {}, {}, {}, {}};
   begin_upward(memory.rings, rest);
+  memory.receiving = memory.rings;
   for_each_ring(memory.rings, [&](std::size_t, std::size_t vertex, auto neighbours) {
     const LocalFrame<double> frame = frame_of(neighbours, rest);
     const Vec3d offset = rest[vertex] - frame.centre;
@@ -69,6 +70,11 @@ ShapeMemory make_shape_memory(const Surface& surface, std::span<const Vec3d> res
     memory.abdominal_share.push_back(abdominal_share[vertex]);
   });
   return memory;
+}
+
+void spare_still_particles(const std::vector<bool>& still, ShapeMemory& memory) {
+  memory.receiving =
+      only_around(memory.rings, [&](int particle) { return !still[static_cast<std::size_t>(particle)]; });
 }
 
 }  // namespace trunk

@@ -18,7 +18,8 @@ inline constexpr std::size_t max_valence = 64;
 template <Scalar S>
 struct LocalFrame {
   Vec3<S> centre, u, v, n;
-  S inverse_area;    // 1 / |area vector|, 1/m2
+  Vec3<S> area;      // twice the area vector, m2
+  S inverse_area;    // 1 / |area|, 1/m2
   S first_height;    // n . (N_1 - G), m
   S inverse_radius;  // 1 / distance of N_1 from the axis through G along n, 1/m
 };
@@ -29,10 +30,9 @@ template <Scalar S, class Neighbours>
 [[gnu::always_inline]] inline LocalFrame<S> local_frame(const Neighbours& neighbours) noexcept {
   using std::sqrt;
   const std::size_t m = neighbours.size();
-  Vec3<S> sum = neighbours[0];
-  for (std::size_t j = 1; j < m; ++j) sum += neighbours[j];
-  const Vec3<S> area = twice_area<S>(neighbours);
+  const auto [sum, area] = sum_and_twice_area<S>(neighbours);
   LocalFrame<S> frame;
+  frame.area = area;
   frame.centre = S(1.0 / static_cast<double>(m)) * sum;
   const Vec3<S> to_first = neighbours[0] - frame.centre;
   const Vec3<S> sideways = cross(area, to_first);
@@ -63,28 +63,28 @@ struct RingForces {
   Vec3<S> share;  // each neighbour's
   Vec3<S> tilt;   // turns the ring's plane; per chord between the neighbours of a neighbour
   Vec3<S> spin;   // turns u: taken up by the first neighbour
+  Vec3<S> area;   // twice the ring's area vector, m2
 };
 
-template <Reaction reaction, Scalar S, class Neighbours>
-[[gnu::always_inline]] inline RingForces<S> ring_forces(const Neighbours& neighbours, const Vec3<S>& particle,
-                                                        const Vec3<S>& rest_offset,
+template <Reaction reaction, Scalar S>
+[[gnu::always_inline]] inline RingForces<S> ring_forces(const LocalFrame<S>& frame, std::size_t valence,
+                                                        const Vec3<S>& particle, const Vec3<S>& rest_offset,
                                                         const S& stiffness) noexcept {
-  const auto frame = local_frame<S>(neighbours);
   const Vec3<S> place = particle - frame.centre;
   // In the local frame: the force, and the torque of the rest offset.
   const S fu = stiffness * (rest_offset.x() - dot(place, frame.u)),
           fv = stiffness * (rest_offset.y() - dot(place, frame.v)),
           fn = stiffness * (rest_offset.z() - dot(place, frame.n));
   const Vec3<S> f = fu * frame.u + fv * frame.v + fn * frame.n;
-  const S share(1.0 / static_cast<double>(neighbours.size()));
-  if constexpr (reaction == Reaction::published) return {f, share * f, {}, {}};
+  const S share(1.0 / static_cast<double>(valence));
+  if constexpr (reaction == Reaction::published) return {f, share * f, {}, {}, frame.area};
   const S torque_u = rest_offset.y() * fn - rest_offset.z() * fv,
           torque_v = rest_offset.z() * fu - rest_offset.x() * fn,
           spin = (rest_offset.x() * fv - rest_offset.y() * fu) * frame.inverse_radius;
   const S tilt_u = frame.inverse_area * torque_v,
           tilt_v = frame.inverse_area * (torque_u + spin * frame.first_height);
   const Vec3<S> spin_force = spin * frame.v;
-  return {f, share * (f - spin_force), tilt_u * frame.u - tilt_v * frame.v, spin_force};
+  return {f, share * (f - spin_force), tilt_u * frame.u - tilt_v * frame.v, spin_force, frame.area};
 }
 
 /// One ring. (position) => reactions
@@ -94,15 +94,28 @@ void calc_ring(const ShapeMemory& memory, const RingTable::Group& group, int rin
                RingReactions<S>& reactions) noexcept {
   const auto row = static_cast<std::size_t>(ring), i = static_cast<std::size_t>(memory.rings.vertex[row]);
   const RingPositions<S, Valence> neighbours{neighbours_of<Valence>(memory.rings, group, ring), position};
-  const auto found =
-      ring_forces<reaction, S>(neighbours, position[i], lift<S>(memory.rest_offset[row]), stiffness[row]);
+  const auto found = ring_forces<reaction, S>(local_frame<S>(neighbours), neighbours.size(), position[i],
+                                              lift<S>(memory.rest_offset[row]), stiffness[row]);
   reactions.on_particle[i] = found.on_particle;
   reactions.share[i] = found.share;
   reactions.tilt[i] = found.tilt;
   reactions.spin[i] = found.spin;
+  reactions.area[i] = found.area;
 }
 
 #ifdef __AVX__
+/// Four rings side by side, each neighbour packed where it is needed: all of them are more than the registers
+/// hold.
+template <std::size_t Valence, class InRing>
+struct PackedRing {
+  const InRing& in_ring;  // (lane, j)
+
+  static constexpr std::size_t size() noexcept { return Valence; }
+  [[gnu::always_inline]] Vec3<Lanes<4>> operator[](std::size_t j) const noexcept {
+    return packed(in_ring(0, j), in_ring(1, j), in_ring(2, j), in_ring(3, j));
+  }
+};
+
 /// The same for four rings of a single simulation, side by side in the lanes of a register.
 template <Reaction reaction, std::size_t Valence>
 void calc_four_rings(const ShapeMemory& memory, const RingTable::Group& group, int ring,
@@ -117,22 +130,24 @@ void calc_four_rings(const ShapeMemory& memory, const RingTable::Group& group, i
   const auto in_ring = [&](std::size_t lane, std::size_t j) -> const Vec3d& {
     return neighbour[lane * Valence + j].in(position);
   };
-  std::array<Vec3<Four>, Valence> neighbours;
-  for (std::size_t j = 0; j < Valence; ++j)
-    neighbours[j] = packed(in_ring(0, j), in_ring(1, j), in_ring(2, j), in_ring(3, j));
+  const PackedRing<Valence, decltype(in_ring)> neighbours{in_ring};
   const auto& rest = memory.rest_offset;
+  const LocalFrame<Four> frame =
+      local_frame<Four>(neighbours);  // before the rest is packed: registers are few
   const RingForces<Four> found = ring_forces<reaction, Four>(
-      neighbours, packed(position[vertex(0)], position[vertex(1)], position[vertex(2)], position[vertex(3)]),
+      frame, Valence,
+      packed(position[vertex(0)], position[vertex(1)], position[vertex(2)], position[vertex(3)]),
       packed(rest[row], rest[row + 1], rest[row + 2], rest[row + 3]),
       Four(Four::Register{stiffness[row], stiffness[row + 1], stiffness[row + 2], stiffness[row + 3]}));
   const Unpacked on_particle = unpacked(found.on_particle), share = unpacked(found.share),
-                 tilt = unpacked(found.tilt), spin = unpacked(found.spin);
+                 tilt = unpacked(found.tilt), spin = unpacked(found.spin), area = unpacked(found.area);
   for (std::size_t lane = 0; lane < 4; ++lane) {
     const std::size_t i = vertex(lane);
     reactions.on_particle[i] = on_particle.lane[lane];
     reactions.share[i] = share.lane[lane];
     reactions.tilt[i] = tilt.lane[lane];
     reactions.spin[i] = spin.lane[lane];
+    reactions.area[i] = area.lane[lane];
   }
 }
 #endif
@@ -160,10 +175,10 @@ void calc_rings(const ShapeMemory& memory, const RingTable::Group& group, std::s
 /// (N_(j-1) - N_(j+1)) x tilt_j is how twice the area of its own ring grows with the tilts. (position,
 /// reactions) => force
 template <Reaction reaction, Scalar S>
-void add_ring_forces(const RingTable& rings, std::span<const Vec3<S>> position,
+void add_ring_forces(const ShapeMemory& memory, std::span<const Vec3<S>> position,
                      const RingReactions<S>& reactions, std::span<Vec3<S>> force) noexcept {
-  for_each_ring(rings, [&]<std::size_t Valence>(std::size_t, std::size_t vertex,
-                                                std::span<const Neighbour, Valence> ring) {
+  for_each_ring(memory.receiving, [&]<std::size_t Valence>(std::size_t, std::size_t vertex,
+                                                           std::span<const Neighbour, Valence> ring) {
     const RingPositions<S, Valence> share{ring, reactions.share};
     Vec3<S> asked = share[0];
     for (std::size_t j = 1; j < ring.size(); ++j) asked += share[j];
@@ -173,13 +188,14 @@ void add_ring_forces(const RingTable& rings, std::span<const Vec3<S>> position,
     force[vertex] += reactions.on_particle[vertex] - asked;
   });
   if constexpr (reaction == Reaction::variational)
-    for_each_ring(rings, [&](std::size_t, std::size_t vertex, auto ring) {
+    for_each_ring(memory.rings, [&](std::size_t, std::size_t vertex, auto ring) {
       ring[0].in(force) -= reactions.spin[vertex];
     });
 }
 
 /// Adds the forces of all rings: first what each does, then what that comes to for the particles, so that no
-/// ring waits for another. (position, ring_stiffness) => reactions, force
+/// ring waits for another. Of forces on particles that are still, no more than parts is added.
+/// (position, ring_stiffness) => reactions, force
 template <Reaction reaction, Scalar S>
 void add_shape_memory(const ShapeMemory& memory, std::span<const S> ring_stiffness,
                       std::span<const Vec3<S>> position, RingReactions<S>& reactions,
@@ -187,7 +203,7 @@ void add_shape_memory(const ShapeMemory& memory, std::span<const S> ring_stiffne
   for_each_valence(memory.rings, [&]<std::size_t Valence>(const RingTable::Group& group) {
     calc_rings<reaction, Valence, S>(memory, group, ring_stiffness, position, reactions);
   });
-  add_ring_forces<reaction, S>(memory.rings, position, reactions, force);
+  add_ring_forces<reaction, S>(memory, position, reactions, force);
 }
 
 template <Scalar S>
@@ -209,5 +225,8 @@ double shape_memory_energy(const ShapeMemory& memory, std::span<const double> ri
 ShapeMemory make_shape_memory(const Surface& surface, std::span<const Vec3d> rest,
                               std::span<const double> stiffness_weight,
                               std::span<const double> abdominal_share, Reaction reaction);
+
+/// Leaves out the forces on what is still: they are asked for by nobody.
+void spare_still_particles(const std::vector<bool>& still, ShapeMemory& memory);
 
 }  // namespace trunk

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <type_traits>
 #include <vector>
@@ -46,6 +47,12 @@ struct RingTable {
 };
 
 RingTable ring_table(const Surface& surface);
+
+/// The rings around the particles for which `wanted(particle)` holds, in the same order.
+RingTable only_around(const RingTable& table, const std::function<bool(int)>& wanted);
+
+/// Whether every ring of `some` is one of `all`, wherever it begins.
+bool contains(const RingTable& all, const RingTable& some);
 
 /// Calls visit.template operator()<Valence>(group) for every group; the valence is a compile-time number
 /// where it is 4 to 8, the usual ones, and std::dynamic_extent elsewhere.

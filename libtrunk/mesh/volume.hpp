@@ -20,18 +20,42 @@ S enclosed_volume(std::span<const Triangle> triangles, std::span<const Vec3<S>> 
   return S(1.0 / 6.0) * (six_volumes.x() + six_volumes.y() + six_volumes.z());
 }
 
-/// Sum of N_j x N_(j+1) around a closed polygon, m2: twice its area vector. Quadrilaterals fan out from the
-/// first corner, each the cross product of its diagonals: two products for six corners.
-/// corners: [3 or more] positions, m; their number may be a compile-time one.
+/// What goes around a closed polygon of corners N.
+template <Scalar S>
+struct SumAndArea {
+  Vec3<S> sum;         // of N_j
+  Vec3<S> twice_area;  // sum of N_j x N_(j+1), m2: twice the area vector
+};
+
+/// Quadrilaterals fan out from the first corner, each the cross product of its diagonals: two products for
+/// six corners. Each corner is looked at once. corners: [3 or more] positions, m; their number may be a
+/// compile-time one.
 template <Scalar S, class Corners>
-[[gnu::always_inline]] inline Vec3<S> twice_area(const Corners& corners) noexcept {
+[[gnu::always_inline]] inline SumAndArea<S> sum_and_twice_area(const Corners& corners) noexcept {
   const std::size_t m = corners.size();
   const Vec3<S> first = corners[0];
-  Vec3<S> sum;
+  Vec3<S> sum = first, area, a = corners[1];
   std::size_t k = 1;
-  for (; k + 2 < m; k += 2) sum += unturned_cross(corners[k + 1] - first, corners[k + 2] - corners[k]);
-  if (k + 1 < m) sum += unturned_cross(corners[k] - first, corners[k + 1] - first);
-  return turned(sum);
+  for (; k + 2 < m; k += 2) {
+    const Vec3<S> b = corners[k + 1], c = corners[k + 2];
+    sum += a;
+    sum += b;
+    area += unturned_cross(b - first, c - a);
+    a = c;
+  }
+  sum += a;
+  if (k + 1 < m) {
+    const Vec3<S> b = corners[k + 1];
+    sum += b;
+    area += unturned_cross(a - first, b - first);
+  }
+  return {sum, turned(area)};
+}
+
+/// The area alone.
+template <Scalar S, class Corners>
+[[gnu::always_inline]] inline Vec3<S> twice_area(const Corners& corners) noexcept {
+  return sum_and_twice_area<S>(corners).twice_area;
 }
 
 /// How `twice_area` changes as the corners move along `directions`: the sum of N_j x D_(j+1) + D_j x N_(j+1).
@@ -50,20 +74,15 @@ template <Scalar S, class Corners, class Directions>
   return turned(sum);
 }
 
-/// Volume gradient at the vertex of a ring, m2: a sixth of the sum of N_j x N_(j+1). It does not depend on
-/// the vertex itself, since the volume is linear in each vertex.
-template <Scalar S, class Corners>
-[[gnu::always_inline]] inline Vec3<S> volume_gradient(const Corners& neighbours) noexcept {
-  return S(1.0 / 6.0) * twice_area<S>(neighbours);
-}
-
-/// At each ring's vertex. (rings, positions [particles]) => gradient [rings].
+/// Twice the area vector of the ring around each vertex, m2: six times the gradient of the enclosed volume
+/// there. It does not depend on the vertex itself, since the volume is linear in each vertex.
+/// (rings, positions [particles]) => twice_areas [particles]
 template <Scalar S>
-void calc_volume_gradient(const RingTable& rings, std::span<const Vec3<S>> positions,
-                          std::span<Vec3<S>> gradient) noexcept {
-  for_each_ring(rings, [&]<std::size_t Valence>(std::size_t ring, std::size_t,
+void calc_ring_areas(const RingTable& rings, std::span<const Vec3<S>> positions,
+                     std::span<Vec3<S>> twice_areas) noexcept {
+  for_each_ring(rings, [&]<std::size_t Valence>(std::size_t, std::size_t vertex,
                                                 std::span<const Neighbour, Valence> neighbours) {
-    gradient[ring] = volume_gradient<S>(RingPositions<S, Valence>{neighbours, positions});
+    twice_areas[vertex] = twice_area<S>(RingPositions<S, Valence>{neighbours, positions});
   });
 }
 

@@ -89,6 +89,17 @@ void require_references(const Model& m) {
 
 }  // namespace
 
+std::vector<bool> still_particles(const Model& model) {
+  std::vector<bool> still;
+  for (const Vec3d& free_axes : model.mobility) still.push_back(dot(free_axes, free_axes) == 0.0);
+  for (const ImposedDisplacement& imposed : model.imposed_displacements)
+    still[static_cast<std::size_t>(imposed.particle)] = false;
+  for (const RigidBody& body : model.bodies)
+    if (body.motion != RigidBody::Motion::fixed)
+      for (const int i : body.particles) still[static_cast<std::size_t>(i)] = false;
+  return still;
+}
+
 void require_valid(const Model& model) {
   require_particles(model);
   require_shape_memory(model);

@@ -20,6 +20,7 @@ enum class Reaction { variational, published };
 struct ShapeMemory {
   Reaction reaction = Reaction::variational;
   RingTable rings;
+  RingTable receiving;                   // of the rings, those around particles that a force can move
   std::vector<Vec3d> rest_offset;        // [rings] m, P - G at rest in the local frame (u, v, n)
   std::vector<double> stiffness_weight;  // [rings] times k_elasticity; the central tendon has 2
   std::vector<double> abdominal_share;   // [rings] 0..1: how much the abdominal stiffness factor applies
@@ -131,6 +132,10 @@ struct Model {
 /// held volume and supports must be there. Throws InputError where a particle is carried twice, or a free
 /// body's particles lie on a line or bear a support.
 void carry(RigidBody body, Model& model);
+
+/// True for the particles that nothing moves: held along all axes, and neither carried by a body that moves
+/// nor displaced by what is imposed.
+std::vector<bool> still_particles(const Model& model);
 
 /// Throws InputError, naming what is wrong, unless sizes agree, indices exist, numbers are finite, masses are
 /// positive, weights are not negative and both surfaces enclose a positive volume.

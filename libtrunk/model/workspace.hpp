@@ -15,14 +15,14 @@ namespace trunk {
 ///  - centred: the mean of those at its end and its start, which adds no mass. Calm where dt c < 2 m.
 enum class Damping { implicit, centred };
 
-/// What each ring does to the particle in its middle, and what it asks of those around it: [particles] each,
-/// by the one in the middle (see RingForces).
+/// What each ring does to the particle in its middle, what it asks of those around it, and twice its area
+/// vector: [particles] each, by the one in the middle (see RingForces).
 template <Scalar S>
 struct RingReactions {
-  std::vector<Vec3<S>> on_particle, share, tilt, spin;
+  std::vector<Vec3<S>> on_particle, share, tilt, spin, area;
 
   void resize(std::size_t particles) {
-    for (auto* field : {&on_particle, &share, &tilt, &spin}) field->resize(particles);
+    for (auto* field : {&on_particle, &share, &tilt, &spin, &area}) field->resize(particles);
   }
 };
 
@@ -33,7 +33,9 @@ struct Workspace {
   Mask<S> running = S(0.0) < S(1.0);  // where it no longer holds, the lane has ended and is not waited for
 
   // (model, parameters, dt) => constant during a run
-  std::vector<S> ring_stiffness;  // [rings] N/m
+  bool elastic_volume = false;  // the held volume's surface is elastic: its rings' areas come with the forces
+  std::vector<S> ring_stiffness;         // [rings] N/m
+  std::vector<std::size_t> held_moving;  // particles around the held volume that can move
   // What a step makes of a particle's velocity, s, of the force on it, s2/kg, and of a push by the
   // constraints, 1/kg, along its free axes. With M = m + dt c and m' = m, or centred M = m + dt c / 2 and m'
   // = m - dt c / 2: dt m' / M, dt^2 / M and 1 / M.
@@ -45,7 +47,6 @@ struct Workspace {
   std::vector<Vec3<S>> predicted;       // [particles] m, before the constraints
   std::vector<Vec3<S>> corrected;       // [particles] m, with the supports, then with the volume
   std::vector<Vec3<S>> direction;       // [particles] m per unit of the volume's multiplier
-  std::vector<Vec3<S>> gradient;        // [held rings] m2
   std::vector<Vec3<S>> free_direction;  // [supports] direction of a particle as if its support were absent
 
   /// The tangent plane of a support where its particle is: normal . x <= offset; normal . push = 1.
@@ -78,6 +79,7 @@ Workspace<S> make_workspace(const Model& model, const Parameters<S>& parameters,
   };
   Workspace<S> w;
   w.dt_s = dt_s;
+  w.elastic_volume = contains(model.shape_memory.rings, model.abdomen.rings);
   const ShapeMemory& memory = model.shape_memory;
   for (std::size_t r = 0; r < memory.rings.size(); ++r) {
     const S share(memory.abdominal_share[r]);
@@ -100,7 +102,9 @@ Workspace<S> make_workspace(const Model& model, const Parameters<S>& parameters,
   w.predicted.resize(model.particles());
   w.corrected.resize(model.particles());
   w.direction.resize(model.particles());
-  w.gradient.resize(model.abdomen.rings.size());
+  const std::vector<bool> still = still_particles(model);
+  for (const int vertex : model.abdomen.rings.vertex)
+    if (!still[static_cast<std::size_t>(vertex)]) w.held_moving.push_back(static_cast<std::size_t>(vertex));
   w.free_direction.resize(model.supports.size());
   w.plane.resize(model.supports.size());
   for (const RigidBody& body : model.bodies) {

@@ -9,8 +9,8 @@ ROUND_OFF = 2.0**-50  # of the volume
 
 
 class VolumeAndRibs:
-    """Moves predicted positions to the target volume along d = dV/dx / (m + dt c), and back onto a rib plane where
-    outside of it. Free rigid parts move as under an impulse along dV/dx."""
+    """Moves predicted positions to the target volume along d = dV/dx / (m + dt c), with dV/dx at the start of the step,
+    and back onto a rib plane where outside of it. Free rigid parts move as under an impulse along dV/dx."""
 
     def __init__(self, body):
         self.body, self.friction = body, body.friction
@@ -28,10 +28,10 @@ class VolumeAndRibs:
         positions[:, particles] = np.where(where, planes.projected(at), at)
         return positions
 
-    def direction(self, predicted, planes):
-        """d, with dV/dx where those that touched at the last step are on their plane, from either side."""
+    def direction(self, positions):
+        """d, from where the step starts."""
         body = self.body
-        gradient = volume_gradient(self.with_supports(predicted, planes, self.touching), body.anatomy.surface)
+        gradient = volume_gradient(positions, body.anatomy.surface)
         for part in body.free:
             part.prepare(gradient)
         return body.mobility * gradient / body.effective_mass
@@ -55,7 +55,7 @@ class VolumeAndRibs:
     def solve(self, predicted, positions, planes, volume):
         """Positions of the target volume."""
         body, particles = self.body, self.body.ribs.particles
-        direction = self.direction(predicted, planes)
+        direction = self.direction(positions)
         if self.friction > 0.0:
             predicted = self.rub(predicted, positions, planes, direction)
         held = np.zeros(predicted.shape[1], bool)

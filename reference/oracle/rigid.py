@@ -90,7 +90,7 @@ class Free:
         """What an impulse of dV/dx on its particles does to it, by unit of the multiplier."""
         on = gradient[:, self.particles]
         self.push = on.sum(axis=1, keepdims=True) / self.effective_mass
-        self.twist = self.kept * cross(self.next_turn @ self.arms_at_rest, on).sum(axis=1)
+        self.twist = self.kept * cross(self.turn @ self.arms_at_rest, on).sum(axis=1)
         self.turning = self.spin(self.next_turn, self.twist)
 
     def corrected(self, multiplier):

@@ -28,8 +28,8 @@ TEST_CASE("The cubic is the volume along the direction", "[property][constraints
     for (Vec3d& m : model.mobility) m = Vec3d{1.0, random.unit() < 0.3 ? 0.0 : 1.0, 1.0};  // some axes held
     Workspace<double> w = make_workspace(model, Parameters<double>{1000.0, 0.0, 20.0}, 1e-3);
     w.corrected = deformed(mesh.position, 0.02, random);
-    calc_volume_gradient<double>(model.abdomen.rings, w.corrected, w.gradient);
-    detail::calc_direction(model, w);
+    calc_ring_areas<double>(model.abdomen.rings, w.corrected, w.reactions.area);
+    detail::calc_direction(model, rest_state<double>(model), w);
     const VolumeCubic<double> cubic = detail::volume_along_direction(model.abdomen.rings, w);
     const double unit = 0.1 / largest(w.direction);  // lambda that moves a particle by 0.1 m: all terms count
     for (const double share : {-2.0, -0.5, 0.0, 0.01, 0.3, 1.0, 3.0}) {
@@ -66,8 +66,8 @@ TEST_CASE("The root of the kernel is GSL's wherever a step changes the volume li
     Workspace<double> w = make_workspace(model, Parameters<double>{1000.0, 0.0, 20.0}, 1e-3);
     for (int i = 0; i < 50; ++i) {
       w.corrected = deformed(mesh.position, 0.003, random);
-      calc_volume_gradient<double>(model.abdomen.rings, w.corrected, w.gradient);
-      detail::calc_direction(model, w);
+      calc_ring_areas<double>(model.abdomen.rings, w.corrected, w.reactions.area);
+      detail::calc_direction(model, rest_state<double>(model), w);
       const VolumeCubic<double> cubic = detail::volume_along_direction(model.abdomen.rings, w);
       const double target = cubic.c0 * random.between(0.95, 1.05);
       const double root = solve_volume(cubic, target);

@@ -153,9 +153,11 @@ TEST_CASE("Searches for contacts end each in its own time, to the bit", "[proper
       state.contact[s].touching = LaneMask<4>(touching);
     }
     calc_planes(model, state, w);
+    calc_ring_areas<Four>(model.abdomen.rings, state.position, w.reactions.area);
     const auto together = project_volume_and_supports(model, Four(model.abdomen.rest), state, w);
     for (std::size_t lane = 0; lane < 4; ++lane) {
       calc_planes(model, states[lane], ws[lane]);
+      calc_ring_areas<double>(model.abdomen.rings, states[lane].position, ws[lane].reactions.area);
       const auto alone = project_volume_and_supports(model, model.abdomen.rest, states[lane], ws[lane]);
       CAPTURE(draw, lane);
       const int l = static_cast<int>(lane);

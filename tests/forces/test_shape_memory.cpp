@@ -45,7 +45,8 @@ std::vector<Body> bodies(Reaction reaction, Random& random) {
                    deformed(mesh.position, 0.02, random)});
   }
   const Trunk trunk = make_template_trunk({}, {}, reaction);
-  const ShapeMemory& memory = trunk.model.shape_memory;
+  ShapeMemory memory = trunk.model.shape_memory;
+  memory.receiving = memory.rings;  // what is held is asked for too
   all.push_back({"trunk", memory, uneven(memory.rings.size(), random), trunk.model.rest,
                  deformed(trunk.model.rest, 0.01, random)});
   return all;

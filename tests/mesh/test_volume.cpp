@@ -17,10 +17,9 @@ double volume_of(const Mesh& mesh) {
 /// [particles]
 std::vector<Vec3d> gradient_of(const Mesh& mesh) {
   const RingTable rings = ring_table(mesh.surface());
-  std::vector<Vec3d> by_ring(rings.size()), gradient(mesh.position.size());
-  calc_volume_gradient<double>(rings, mesh.position, by_ring);
-  for (std::size_t r = 0; r < rings.size(); ++r)
-    gradient[static_cast<std::size_t>(rings.vertex[r])] = by_ring[r];
+  std::vector<Vec3d> gradient(mesh.position.size());
+  calc_ring_areas<double>(rings, mesh.position, gradient);
+  for (Vec3d& g : gradient) g = (1.0 / 6.0) * g;
   return gradient;
 }
 
