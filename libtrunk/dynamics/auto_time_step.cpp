@@ -1,7 +1,9 @@
 #include "dynamics/auto_time_step.hpp"
 
+#include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "dynamics/stability.hpp"
 #include "dynamics/volume_curve.hpp"
@@ -41,9 +43,9 @@ double difference(const Sampled& coarse, const Sampled& fine) {
   return largest > 0.0 ? apart / largest : 0.0;
 }
 
-/// The grid ends where the breath does, to less than a step of 1 ms.
-bool divides(double dt_s, double duration_s) {
-  return std::abs(dt_s * std::round(duration_s / dt_s) - duration_s) < 0.5e-3;
+/// As many whole steps as the breath takes, none longer than asked for.
+TimeGrid grid_of(double at_most_s, double duration_s, Damping damping) {
+  return {duration_s / std::ceil(duration_s / at_most_s), duration_s, damping};
 }
 
 constexpr double fine_s = 1e-3;
@@ -61,18 +63,20 @@ std::optional<double> estimated_error(const Model& model, const Trial<double>& t
 
 TimeStepChoice auto_time_step(const Model& model, const Parameters<double>& parameters,
                               const BreathActivation<double>& activation, double duration_s) {
-  constexpr double safety = 0.92;
+  constexpr double safety = 0.95, longest_s = 8e-3, shorter = 0.85;
   const Trial<double> trial{parameters, activation};
   TimeStepChoice choice{{fine_s, duration_s}, stable_time_step(model, parameters), 0.0};
   const auto fine = run(model, trial, choice.grid);
   if (!fine) return choice;
-  for (const double ms : {6.0, 5.5, 5.0, 4.5, 4.0, 3.5, 3.0, 2.5, 2.0, 1.5})
-    for (const Damping damping : {Damping::centred, Damping::implicit}) {
-      const TimeGrid grid{1e-3 * ms, duration_s, damping};
-      const double stable_s = stable_time_step(model, parameters, damping);
-      if (grid.dt_s > safety * stable_s || !divides(grid.dt_s, duration_s)) continue;
+  const auto stable_s = [&](Damping damping) { return stable_time_step(model, parameters, damping); };
+  const std::pair<Damping, double> bounds[] = {{Damping::centred, stable_s(Damping::centred)},
+                                               {Damping::implicit, stable_s(Damping::implicit)}};
+  for (double part = safety; part * choice.stable_s > 1.5 * fine_s; part *= shorter)
+    for (const auto& [damping, bound_s] : bounds) {
+      const TimeGrid grid = grid_of(std::min(longest_s, part * bound_s), duration_s, damping);
+      if (grid.dt_s <= fine_s) continue;
       const auto error = estimated_error(model, trial, grid, *fine);
-      if (error && *error <= auto_time_step_tolerance) return {grid, stable_s, *error};
+      if (error && *error <= auto_time_step_tolerance) return {grid, bound_s, *error};
     }
   return choice;
 }

@@ -101,14 +101,20 @@ TEST_CASE("a slow breath with noise determines the ratio and says so", "[regress
 
 TEST_CASE("runs that fail are counted, and the fit goes on", "[regression][slow]") {
   Scenario s = healthy_scenario();
-  s.time.dt_s = 4e-3;  // stable at 4000 N/m, not at the upper bound
+  s.time.dt_s = 4e-3;  // stable at 4000 N/m, not at the upper bound: there it is simulated in steps of 1 ms
   const Trunk trunk = make_trunk(s);
   const Target target = twin(trunk, s, s.parameters);
   const SearchSpace space({"k_elasticity", "k_muscle"}, {s.parameters, s.activation});
   Ledger ledger;
   Objective objective(trunk, s.time, space, target, ledger);
   const double at_truth = objective.problem().at(space.start()).objective;
-  const double beyond = objective.problem().at(space.upper()).objective;
+  const double too_stiff = objective.problem().at(space.upper()).objective;
+  CHECK(finite(too_stiff));
+  CHECK(objective.failures() == 0);
+  Eigen::VectorXd far = space.start();
+  far[0] = std::log(1e8);  // too stiff for 1 ms as well
+  const double beyond = objective.problem().at(far).objective;
+  CHECK(beyond > too_stiff);
   CHECK(finite(beyond));
   CHECK(beyond > 1e3 * std::max(at_truth, 1e-12));
   CHECK(objective.failures() == 1);

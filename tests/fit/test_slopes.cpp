@@ -79,5 +79,7 @@ TEST_CASE("Slopes are simulated once and kept in the ledger; where the model fai
 
   Eigen::VectorXd unstable = space.start();
   unstable[0] = std::log(16000.0);
+  CHECK(problem.exact_slopes(unstable));  // in steps of 1 ms
+  unstable[0] = std::log(1e8);
   CHECK_FALSE(problem.exact_slopes(unstable));
 }
