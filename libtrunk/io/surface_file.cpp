@@ -11,8 +11,8 @@
 namespace trunk {
 namespace {
 
-std::string counted(std::size_t count, const std::string& one, const std::string& many) {
-  return std::to_string(count) + " " + (count == 1 ? one : many);
+std::string counted(std::size_t count, const std::string& single, const std::string& several) {
+  return std::to_string(count) + " " + (count == 1 ? single : several);
 }
 
 void keep_component(FileSurface& from, const std::string& name, const std::string& file) {
@@ -32,19 +32,19 @@ void keep_component(FileSurface& from, const std::string& name, const std::strin
   from.triangles = std::move(kept);
 }
 
-struct Unit {
+struct LengthUnit {
   std::string name;
   double metres;
 };
 
-Unit named_unit(const std::string& name, const std::string& file) {
-  for (const Unit& unit : {Unit{"mm", 1e-3}, Unit{"cm", 1e-2}, Unit{"m", 1.0}})
+LengthUnit named_unit(const std::string& name, const std::string& file) {
+  for (const LengthUnit& unit : {LengthUnit{"mm", 1e-3}, LengthUnit{"cm", 1e-2}, LengthUnit{"m", 1.0}})
     if (unit.name == name) return unit;
   throw InputError(file, 0, "unit " + excerpt(name) + " found; expected mm, cm or m; give --surface-unit");
 }
 
 /// By the largest extent: m up to 1, then cm, from 100 on mm (10 cm at least, as what moves in breathing is).
-Unit guessed_unit(double extent, const std::string& file) {
+LengthUnit guessed_unit(double extent, const std::string& file) {
   if (extent >= 0.05 && extent <= 1.0) return {"m", 1.0};
   if (extent >= 5.0 && extent < 100.0) return {"cm", 1e-2};
   if (extent >= 100.0 && extent <= 1000.0) return {"mm", 1e-3};
@@ -58,7 +58,7 @@ void choose_unit(SurfaceFile& result, const SurfaceOptions& options, const std::
                  const std::string& file) {
   const double extent = largest_extent(result.surface);
   const std::string& declared = options.unit.empty() ? said_by_file : options.unit;
-  const Unit unit = declared.empty() ? guessed_unit(extent, file) : named_unit(declared, file);
+  const LengthUnit unit = declared.empty() ? guessed_unit(extent, file) : named_unit(declared, file);
   if (const double size = extent * unit.metres; !(size >= 0.03 && size <= 2.0))
     throw InputError(file, 0,
                      "the surface is " + number_text(size) + " m long in " + unit.name +
@@ -102,8 +102,8 @@ void turn_into_trunk(SurfaceFile& result, const Axes& axes) {
 void note_repairs(SurfaceFile& result) {
   const RepairReport& r = result.repaired;
   std::string repairs;
-  const auto mention = [&](std::size_t count, const std::string& one, const std::string& many) {
-    if (count > 0) repairs += (repairs.empty() ? "" : ", ") + counted(count, one, many);
+  const auto mention = [&](std::size_t count, const std::string& single, const std::string& several) {
+    if (count > 0) repairs += (repairs.empty() ? "" : ", ") + counted(count, single, several);
   };
   mention(r.merged_points, "point merged", "points merged");
   mention(r.isolated_points, "point of no triangle dropped", "points of no triangle dropped");

@@ -44,6 +44,14 @@ std::string from_base64(std::string_view text, std::size_t most) {
   return bytes;
 }
 
+/// Beside its data an array may hold elements of information.
+std::string text_beside_elements(pugi::xml_node array) {
+  std::string text;
+  for (const pugi::xml_node child : array.children())
+    if (child.type() != pugi::node_element) text += child.value();
+  return text;
+}
+
 }  // namespace
 
 VtpArrays::VtpArrays(const pml::XmlDocument& xml, std::string_view appended, bool appended_raw)
@@ -126,7 +134,7 @@ std::vector<double> VtpArrays::numbers(pugi::xml_node array, std::size_t most) c
   const std::string_view format = array.attribute("format").as_string("ascii");
   std::vector<double> values;
   if (format == "ascii") {
-    const std::string text = xml_.text(array);
+    const std::string text = text_beside_elements(array);
     Words words(text, "");
     while (!words.at_end()) {
       if (values.size() >= most)
@@ -143,7 +151,7 @@ std::vector<double> VtpArrays::numbers(pugi::xml_node array, std::size_t most) c
   if (!type) xml_.fail(array, "the type of this array is none of VTK's, such as Float32; correct it");
   std::string data;
   if (format == "binary") {
-    data = bytes(array, xml_.text(array), false, most * type->bytes);
+    data = bytes(array, text_beside_elements(array), false, most * type->bytes);
   } else if (format == "appended") {
     const double offset = static_cast<double>(xml_.index(array, "offset"));
     if (offset >= static_cast<double>(appended_.size()))
