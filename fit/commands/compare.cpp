@@ -34,6 +34,23 @@ std::vector<double> in_mm(std::vector<double> metres) {
   return metres;
 }
 
+Json repairs_json(const RepairReport& r) {
+  return {{"points_merged", r.merged_points},
+          {"points_isolated", r.isolated_points},
+          {"triangles_degenerate", r.degenerate},
+          {"triangles_twice", r.duplicates},
+          {"triangles_turned", r.turned},
+          {"slivers", r.slivers},
+          {"specks", r.specks},
+          {"sheet_triangles", r.sheet_triangles},
+          {"sheet_thickness_mm", mm_per_m * r.sheet_thickness},
+          {"pieces", r.pieces},
+          {"borders", r.borders},
+          {"branching_edges", r.branching_edges},
+          {"closed", r.closed()},
+          {"oriented", r.oriented}};
+}
+
 Json compare_json(const CompareRequest& request, const SurfaceAnswer& answer) {
   const auto& [file, beside] = answer;
   const auto& [surface, region, c] = beside;
@@ -57,6 +74,7 @@ Json compare_json(const CompareRequest& request, const SurfaceAnswer& answer) {
             {"signed_distance_mm", in_mm(c.side)},
             {"at_border", c.at_border},
             {"surface_triangles", surface.triangles.size()},
+            {"repairs", repairs_json(file.repaired)},
             {"notes", file.notes}};
   if (request.align)
     json["aligned"] = {

@@ -57,14 +57,16 @@ class Numbering {
 /// Points in cubes of eight tolerances: a near one is in the same cube, or across the face that is near.
 class NearPoints {
  public:
-  explicit NearPoints(double tolerance) : tolerance_(tolerance) {}
+  /// Cubes are counted from `origin`, one of the points: far from 0 their numbers would overflow.
+  NearPoints(double tolerance, const Vec3d& origin) : tolerance_(tolerance), origin_(origin) {}
 
   /// An earlier point within the tolerance, or -1; then this one is kept as `index`.
   int find_or_add(const std::vector<Vec3d>& points, int index) {
     const Vec3d& p = at(points, index);
     const double edge = 8.0 * tolerance_;
     std::array<std::array<std::int64_t, 2>, 3> cells;
-    const std::array<double, 3> x{p.x() / edge, p.y() / edge, p.z() / edge};
+    const Vec3d from = p - origin_;
+    const std::array<double, 3> x{from.x() / edge, from.y() / edge, from.z() / edge};
     for (std::size_t i = 0; i < 3; ++i) {
       const double cell = std::floor(x[i]), within = x[i] - cell;
       cells[i][0] = static_cast<std::int64_t>(cell);
@@ -95,6 +97,7 @@ class NearPoints {
   }
 
   double tolerance_;
+  Vec3d origin_;
   std::unordered_multimap<std::uint64_t, int> cells_;
 };
 
@@ -116,7 +119,8 @@ void drop_unused_points(MeasuredSurface& s, RepairReport& report) {
 
 void merge_points(MeasuredSurface& s, RepairReport& report) {
   const double extent = largest_extent(s);
-  NearPoints near(std::max(merge_tolerance * extent, 1e-300));
+  if (s.points.empty() || !(extent > 0.0)) return;
+  NearPoints near(merge_tolerance * extent, s.points.front());
   std::vector<int> same(s.points.size());
   for (std::size_t i = 0; i < s.points.size(); ++i) {
     const int index = static_cast<int>(i), earlier = near.find_or_add(s.points, index);
