@@ -1,0 +1,123 @@
+#include "surface/closest_points.hpp"
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <unsupported/Eigen/BVH>
+#include <vector>
+
+#include "errors/input_error.hpp"
+
+namespace trunk {
+namespace {
+
+using Corners = std::array<Vec3d, 3>;
+using Box = Eigen::AlignedBox3d;
+
+Eigen::Vector3d to_eigen(const Vec3d& a) {
+  return {a.x(), a.y(), a.z()};
+}
+
+Box box_of(const Corners& corners) {
+  Box box(to_eigen(corners[0]));
+  for (const Vec3d& corner : corners) box.extend(to_eigen(corner));
+  return box;
+}
+
+/// The closest of the candidates seen so far; `distance` is squared here.
+struct Closest {
+  const Vec3d& p;
+  const Corners& corners;
+  ClosestPoints::Hit hit{{}, -1, {}, HUGE_VAL};
+
+  void consider(const std::array<double, 3>& weight) {
+    const Vec3d point = weight[0] * corners[0] + weight[1] * corners[1] + weight[2] * corners[2];
+    const double squared = dot(p - point, p - point);
+    if (squared < hit.distance) hit = {point, hit.triangle, weight, squared};
+  }
+};
+
+/// The closest of the three edges and, where the point lies over the inside, of the plane: edges are asked
+/// even then, since the plane of a sliver is mostly round-off.
+ClosestPoints::Hit closest_on(const Corners& corners, const Vec3d& p) {
+  Closest closest{p, corners};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3;
+    const Vec3d edge = corners[j] - corners[i];
+    const double length2 = dot(edge, edge);
+    const double along = length2 > 0.0 ? std::clamp(dot(p - corners[i], edge) / length2, 0.0, 1.0) : 0.0;
+    std::array<double, 3> weight{};
+    weight[i] = 1.0 - along;
+    weight[j] = along;
+    closest.consider(weight);
+  }
+  const Vec3d a = corners[1] - corners[0], b = corners[2] - corners[0], q = p - corners[0];
+  const Vec3d normal = cross(a, b);
+  if (const double area2 = dot(normal, normal); area2 > 0.0) {
+    const double v = dot(cross(q, b), normal) / area2, w = dot(cross(a, q), normal) / area2;
+    if (v >= 0.0 && w >= 0.0 && v + w <= 1.0) closest.consider({1.0 - v - w, v, w});
+  }
+  return closest.hit;
+}
+
+/// What BVMinimize asks for.
+struct Query {
+  using Scalar = double;
+  const std::vector<Corners>& triangles;
+  Vec3d p;
+  Eigen::Vector3d at = to_eigen(p);
+  ClosestPoints::Hit hit{{}, -1, {}, HUGE_VAL};
+
+  double minimumOnVolume(const Box& box) const { return box.squaredExteriorDistance(at); }
+  double minimumOnObject(int triangle) {
+    ClosestPoints::Hit found = closest_on(triangles[static_cast<std::size_t>(triangle)], p);
+    if (found.distance < hit.distance) {
+      hit = found;
+      hit.triangle = triangle;
+    }
+    return found.distance;
+  }
+};
+
+}  // namespace
+
+struct ClosestPoints::Tree {
+  std::vector<Corners> triangles;
+  Eigen::KdBVH<double, 3, int> boxes;
+};
+
+ClosestPoints::ClosestPoints(std::span<const Vec3d> points, std::span<const Triangle> triangles) {
+  if (triangles.empty()) throw InputError("a surface without triangles has no closest point");
+  auto tree = std::make_unique<Tree>();
+  std::vector<int> indices;
+  std::vector<Box> boxes;
+  for (const Triangle& triangle : triangles) {
+    Corners corners;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto point = static_cast<std::size_t>(triangle[i]);
+      if (triangle[i] < 0 || point >= points.size())
+        throw InputError("a triangle has corner " + std::to_string(triangle[i]) + ", expected a point 0 to " +
+                         std::to_string(points.size()) + " - 1");
+      corners[i] = points[point];
+    }
+    indices.push_back(static_cast<int>(indices.size()));
+    boxes.push_back(box_of(corners));
+    tree->triangles.push_back(corners);
+  }
+  tree->boxes.init(indices.begin(), indices.end(), boxes.begin(), boxes.end());
+  tree_ = std::move(tree);
+}
+
+ClosestPoints::~ClosestPoints() = default;
+ClosestPoints::ClosestPoints(ClosestPoints&&) noexcept = default;
+ClosestPoints& ClosestPoints::operator=(ClosestPoints&&) noexcept = default;
+
+ClosestPoints::Hit ClosestPoints::operator()(const Vec3d& p) const {
+  Query query{tree_->triangles, p};
+  Eigen::BVMinimize(tree_->boxes, query);
+  query.hit.distance = std::sqrt(query.hit.distance);
+  return query.hit;
+}
+
+}  // namespace trunk
