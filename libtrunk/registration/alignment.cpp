@@ -1,0 +1,157 @@
+#include "registration/alignment.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "surface/closest_points.hpp"
+#include "surface/distances.hpp"
+
+namespace trunk {
+namespace {
+
+constexpr double kept = 0.8;
+
+/// Corresponding points, [pairs] each.
+struct Matches {
+  std::vector<Vec3d> of_trunk, measured;
+  std::vector<double> distance;  // m, as measured
+};
+
+/// One part of the trunk, one measured surface, points spread over each, and what is closest to them.
+class Corresponding {
+ public:
+  Corresponding(const SurfacePair& pair, std::size_t samples)
+      : trunk_points_(spread_over(pair.particles, pair.triangles, samples)),
+        measured_points_(spread_over(pair.target->points, pair.target->triangles, samples)),
+        trunk_(pair.particles, pair.triangles),
+        measured_(pair.target->points, pair.target->triangles) {}
+
+  const std::vector<Vec3d>& trunk_points() const { return trunk_points_; }
+  const std::vector<Vec3d>& measured_points() const { return measured_points_; }
+
+  void add_matches(const Similarity& at, Matches& matches) const {
+    Matches to_measured, to_trunk;
+    for (const Vec3d& x : trunk_points_) {
+      const auto hit = measured_(at(x));
+      add(x, hit.point, hit.distance, to_measured);
+    }
+    for (const Vec3d& q : measured_points_) {
+      const auto hit = trunk_(at.inverse(q));
+      add(hit.point, q, at.scale * hit.distance, to_trunk);
+    }
+    for (const Matches* direction : {&to_measured, &to_trunk}) keep_closest(*direction, matches);
+  }
+
+ private:
+  static void add(const Vec3d& of_trunk, const Vec3d& measured, double distance, Matches& to) {
+    to.of_trunk.push_back(of_trunk);
+    to.measured.push_back(measured);
+    to.distance.push_back(distance);
+  }
+
+  static void keep_closest(const Matches& from, Matches& to) {
+    std::vector<double> sorted = from.distance;
+    const auto last =
+        sorted.begin() + static_cast<std::ptrdiff_t>(kept * static_cast<double>(sorted.size() - 1));
+    std::nth_element(sorted.begin(), last, sorted.end());
+    for (std::size_t i = 0; i < from.distance.size(); ++i)
+      if (from.distance[i] <= *last) add(from.of_trunk[i], from.measured[i], from.distance[i], to);
+  }
+
+  std::vector<Vec3d> trunk_points_, measured_points_;
+  ClosestPoints trunk_, measured_;
+};
+
+Vec3d mean(std::span<const Vec3d> points) {
+  Vec3d sum;
+  for (const Vec3d& p : points) sum += p;
+  return (1.0 / static_cast<double>(points.size())) * sum;
+}
+
+double spread(std::span<const Vec3d> points, const Vec3d& centre) {
+  double sum = 0.0;
+  for (const Vec3d& p : points) sum += dot(p - centre, p - centre);
+  return std::sqrt(sum / static_cast<double>(points.size()));
+}
+
+/// The same centre and the same spread, turned.
+Similarity start_from(std::span<const Corresponding> sides, const Rotation<double>& rotation) {
+  std::vector<Vec3d> trunk, measured;
+  for (const Corresponding& side : sides) {
+    trunk.insert(trunk.end(), side.trunk_points().begin(), side.trunk_points().end());
+    measured.insert(measured.end(), side.measured_points().begin(), side.measured_points().end());
+  }
+  const Vec3d from = mean(trunk), to = mean(measured);
+  Similarity start{spread(measured, to) / spread(trunk, from), rotation, {}};
+  start.shift = to - start(from);
+  return start;
+}
+
+Alignment iterate(std::span<const Corresponding> sides, std::span<const NamedPoint> landmarks, const Similarity& start,
+                  int most_iterations) {
+  constexpr double arrived_m = 2e-5, landmark_share = 0.2;
+  Alignment result{start, 0.0, 0};
+  for (; result.iterations < most_iterations; ++result.iterations) {
+    Matches matches;
+    for (const Corresponding& side : sides) side.add_matches(result.similarity, matches);
+    double squares = 0.0;
+    for (const double d : matches.distance) squares += d * d;
+    result.rms = std::sqrt(squares / static_cast<double>(matches.distance.size()));
+    // Landmarks together weigh a fifth of the surfaces.
+    const auto copies =
+        landmarks.empty()
+            ? 0
+            : 1 + static_cast<std::size_t>(landmark_share * static_cast<double>(matches.distance.size()) /
+                                           static_cast<double>(landmarks.size()));
+    for (const NamedPoint& landmark : landmarks)
+      for (std::size_t i = 0; i < copies; ++i) {
+        matches.of_trunk.push_back(landmark.of_trunk);
+        matches.measured.push_back(landmark.measured);
+      }
+    const Similarity next = fitted_similarity(matches.of_trunk, matches.measured);
+    double moved = 0.0;
+    for (const Vec3d& x : matches.of_trunk) moved = std::max(moved, norm(next(x) - result.similarity(x)));
+    result.similarity = next;
+    if (moved < arrived_m) break;
+  }
+  return result;
+}
+
+std::vector<Rotation<double>> starting_rotations() {
+  constexpr double turn = 25.0 * std::numbers::pi / 180.0;
+  std::vector<Rotation<double>> rotations;
+  for (const double x : {0.0, turn, -turn})
+    for (const double y : {0.0, turn, -turn})
+      for (const double z : {0.0, turn, -turn})
+        rotations.push_back(then(then(rotation_about({1, 0, 0}, x), rotation_about({0, 1, 0}, y)),
+                                 rotation_about({0, 0, 1}, z)));
+  return rotations;
+}
+
+std::vector<Corresponding> sides_of(std::span<const SurfacePair> pairs, std::size_t samples) {
+  std::vector<Corresponding> sides;
+  for (const SurfacePair& pair : pairs) sides.emplace_back(pair, samples);
+  return sides;
+}
+
+}  // namespace
+
+Alignment align(std::span<const SurfacePair> pairs, std::span<const NamedPoint> landmarks) {
+  constexpr std::size_t few = 120, many = 400, best = 2;
+  const std::vector<Corresponding> coarse = sides_of(pairs, few), fine = sides_of(pairs, many);
+  std::vector<Alignment> found;
+  for (const Rotation<double>& rotation : starting_rotations())
+    found.push_back(iterate(coarse, landmarks, start_from(coarse, rotation), 10));
+  const auto better = [](const Alignment& a, const Alignment& b) { return a.rms < b.rms; };
+  std::stable_sort(found.begin(), found.end(), better);
+  found.resize(best);
+  for (Alignment& a : found) {
+    const int before = a.iterations;
+    a = iterate(fine, landmarks, a.similarity, 40);
+    a.iterations += before;
+  }
+  return *std::min_element(found.begin(), found.end(), better);
+}
+
+}  // namespace trunk
