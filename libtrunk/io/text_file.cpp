@@ -44,6 +44,14 @@ std::string read_bytes(const std::filesystem::path& path, std::size_t max_bytes)
 
 }  // namespace
 
+std::string read_file(const std::filesystem::path& path, std::size_t max_bytes) {
+  check_is_file(path);
+  std::string bytes = read_bytes(path, max_bytes);
+  if (bytes.empty())
+    throw InputError(path.string(), 0, "the file is empty; check that its export was finished");
+  return bytes;
+}
+
 std::string read_text_file(const std::filesystem::path& path, std::size_t max_bytes) {
   check_is_file(path);
   std::string text = utf8_of(read_bytes(path, max_bytes));

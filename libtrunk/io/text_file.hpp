@@ -11,4 +11,8 @@ namespace trunk {
 /// than `max_bytes`, or binary (holds NUL bytes: then with the line of the first one).
 std::string read_text_file(const std::filesystem::path& path, std::size_t max_bytes);
 
+/// The bytes of a file as they are. Throws InputError when the file is missing, a directory, unreadable,
+/// empty or longer than `max_bytes`.
+std::string read_file(const std::filesystem::path& path, std::size_t max_bytes);
+
 }  // namespace trunk

@@ -88,8 +88,8 @@ Similarity start_from(std::span<const Corresponding> sides, const Rotation<doubl
   return start;
 }
 
-Alignment iterate(std::span<const Corresponding> sides, std::span<const NamedPoint> landmarks, const Similarity& start,
-                  int most_iterations) {
+Alignment iterate(std::span<const Corresponding> sides, std::span<const NamedPoint> landmarks,
+                  const Similarity& start, int most_iterations) {
   constexpr double arrived_m = 2e-5, landmark_share = 0.2;
   Alignment result{start, 0.0, 0};
   for (; result.iterations < most_iterations; ++result.iterations) {

@@ -1,0 +1,172 @@
+#include "surfaces/vtp_arrays.hpp"
+
+#include <fmt/format.h>
+#include <zlib.h>
+
+#include <algorithm>
+#include <array>
+
+#include "errors/input_error.hpp"
+#include "surfaces/numbers.hpp"
+#include "surfaces/words.hpp"
+
+namespace trunk {
+namespace {
+
+constexpr std::string_view base64_digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+
+/// Up to `most` bytes of base64, which may consist of several padded parts, one after another.
+std::string from_base64(std::string_view text, std::size_t most) {
+  static const std::array<int, 256> value_of = [] {
+    std::array<int, 256> values;
+    values.fill(-1);
+    for (std::size_t i = 0; i < 64; ++i)
+      values[static_cast<unsigned char>(base64_digits[i])] = static_cast<int>(i);
+    return values;
+  }();
+  std::string bytes;
+  unsigned group = 0;
+  int digits = 0, padding = 0;
+  for (const char c : text) {
+    if (bytes.size() >= most) break;
+    const int value = value_of[static_cast<unsigned char>(c)];
+    if (value < 0 && c != '=') {
+      if (c == ' ' || c == '\t' || c == '\r' || c == '\n') continue;
+      break;  // the end of the data
+    }
+    group = group << 6 | static_cast<unsigned>(std::max(value, 0));
+    padding += c == '=';
+    if (++digits < 4) continue;
+    for (int i = 0; i < 3 - padding; ++i) bytes.push_back(static_cast<char>(group >> (16 - 8 * i) & 0xFF));
+    group = 0;
+    digits = padding = 0;
+  }
+  return bytes;
+}
+
+/// Beside its data an array may hold elements of information.
+std::string text_beside_elements(pugi::xml_node array) {
+  std::string text;
+  for (const pugi::xml_node child : array.children())
+    if (child.type() != pugi::node_element) text += child.value();
+  return text;
+}
+
+}  // namespace
+
+VtpArrays::VtpArrays(const pml::XmlDocument& xml, std::string_view appended, bool appended_raw)
+    : xml_(xml), appended_(appended), appended_raw_(appended_raw) {
+  const std::string_view order = xml.root().attribute("byte_order").as_string("LittleEndian"),
+                         header = xml.root().attribute("header_type").as_string("UInt32"),
+                         compressor = xml.root().attribute("compressor").as_string();
+  if (order != "LittleEndian" && order != "BigEndian")
+    xml.fail(xml.root(), "byte_order is neither LittleEndian nor BigEndian; correct it");
+  if (header != "UInt32" && header != "UInt64")
+    xml.fail(xml.root(), "header_type is neither UInt32 nor UInt64; correct it");
+  if (!compressor.empty() && compressor != "vtkZLibDataCompressor")
+    xml.fail(xml.root(),
+             "a compressor other than vtkZLibDataCompressor found; save the surface with that or none");
+  big_endian_ = order == "BigEndian";
+  header_bytes_ = header == "UInt32" ? 4 : 8;
+  compressed_ = !compressor.empty();
+}
+
+double VtpArrays::header(pugi::xml_node array, std::string_view decoded, std::size_t index) const {
+  if (decoded.size() < (index + 1) * header_bytes_)
+    xml_.fail(array, "the data of this array end within their header; check that the export was finished");
+  return number_at(decoded.data() + index * header_bytes_, {NumberType::Kind::natural, header_bytes_},
+                   big_endian_);
+}
+
+/// Layout of uncompressed data: [bytes][data]. Compressed: [blocks][bytes a block][bytes of the last one, 0:
+/// whole][compressed bytes, one a block][blocks].
+std::string VtpArrays::bytes(pugi::xml_node array, std::string_view coded, bool raw,
+                             std::size_t most_bytes) const {
+  const auto decode = [&](double wanted) {
+    const auto count = static_cast<std::size_t>(std::min(wanted, 1e9));
+    return raw ? std::string(coded.substr(0, count)) : from_base64(coded, count);
+  };
+  const auto word = static_cast<double>(header_bytes_);
+  if (!compressed_) {
+    const double size = header(array, decode(word), 0);
+    if (size > static_cast<double>(most_bytes))
+      xml_.fail(array, fmt::format("an array of {} bytes found; expected {} at most; thin the surface", size,
+                                   most_bytes));
+    std::string data = decode(word + size).substr(header_bytes_);
+    if (static_cast<double>(data.size()) != size)
+      xml_.fail(array,
+                fmt::format("{} bytes found in this array, its header names {}; check that the export was "
+                            "finished",
+                            data.size(), size));
+    return data;
+  }
+  const double blocks = header(array, decode(word), 0);
+  if (blocks > 1e6)
+    xml_.fail(array, "an array of more than a million blocks found; save it with larger ones");
+  const std::string head = decode((3.0 + blocks) * word);
+  const double block_bytes = header(array, head, 1), last_bytes = header(array, head, 2);
+  double total = 0.0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(blocks); ++i) total += header(array, head, 3 + i);
+  const std::string all = decode(static_cast<double>(head.size()) + total);
+  if (static_cast<double>(all.size()) < static_cast<double>(head.size()) + total)
+    xml_.fail(array, "the compressed data of this array are cut short; check that the export was finished");
+  std::string data;
+  std::size_t at = head.size();
+  for (std::size_t i = 0; i < static_cast<std::size_t>(blocks); ++i) {
+    const bool last = static_cast<double>(i) == blocks - 1.0;
+    const double size = last && last_bytes > 0.0 ? last_bytes : block_bytes;
+    if (size + static_cast<double>(data.size()) > static_cast<double>(most_bytes))
+      xml_.fail(array, fmt::format("an array of more than {} bytes found; thin the surface", most_bytes));
+    std::string block(static_cast<std::size_t>(size), '\0');
+    uLongf length = block.size();
+    const auto packed = static_cast<std::size_t>(header(array, head, 3 + i));
+    if (uncompress(reinterpret_cast<Bytef*>(block.data()), &length,
+                   reinterpret_cast<const Bytef*>(all.data() + at), packed) != Z_OK ||
+        length != block.size())
+      xml_.fail(array, "the compressed data of this array are damaged; export the surface again");
+    data += block;
+    at += packed;
+  }
+  return data;
+}
+
+std::vector<double> VtpArrays::numbers(pugi::xml_node array, std::size_t most) const {
+  const std::string_view format = array.attribute("format").as_string("ascii");
+  std::vector<double> values;
+  if (format == "ascii") {
+    const std::string text = text_beside_elements(array);
+    Words words(text, "");
+    while (!words.at_end()) {
+      if (values.size() >= most)
+        xml_.fail(array, fmt::format("more than {} numbers found; thin the surface", most));
+      try {
+        values.push_back(words.number("a number"));
+      } catch (const InputError& error) {
+        xml_.fail(array, mistake_of(error.what()).text);
+      }
+    }
+    return values;
+  }
+  const auto type = number_type(array.attribute("type").as_string());
+  if (!type) xml_.fail(array, "the type of this array is none of VTK's, such as Float32; correct it");
+  std::string data;
+  if (format == "binary") {
+    data = bytes(array, text_beside_elements(array), false, most * type->bytes);
+  } else if (format == "appended") {
+    const double offset = static_cast<double>(xml_.index(array, "offset"));
+    if (offset >= static_cast<double>(appended_.size()))
+      xml_.fail(array, fmt::format(
+                           "offset {} found in appended data of {} bytes; check that the export was finished",
+                           offset, appended_.size()));
+    data =
+        bytes(array, appended_.substr(static_cast<std::size_t>(offset)), appended_raw_, most * type->bytes);
+  } else {
+    xml_.fail(array,
+              "a format found that is not ascii, binary or appended; save the surface with one of these");
+  }
+  for (std::size_t at = 0; at + type->bytes <= data.size(); at += type->bytes)
+    values.push_back(number_at(data.data() + at, *type, big_endian_));
+  return values;
+}
+
+}  // namespace trunk
