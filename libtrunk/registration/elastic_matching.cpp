@@ -194,7 +194,7 @@ void add_apposition_length(const TrunkMesh& mesh, double wanted, std::span<const
   }
 }
 
-double mean_height(const TrunkMesh& mesh, std::span<const int> particles) {
+double mean_z(const TrunkMesh& mesh, std::span<const int> particles) {
   double sum = 0.0;
   for (int i : particles) sum += mesh.rest[static_cast<std::size_t>(i)].z();
   return sum / static_cast<double>(particles.size());
@@ -205,15 +205,21 @@ double mean_height(const TrunkMesh& mesh, std::span<const int> particles) {
 void fit_insertion(const InsertionLine& line, TrunkMesh& mesh) {
   std::vector<int> border;
   for (const auto& muscle : mesh.muscle_lines) border.push_back(muscle.back());
-  const double top = mean_height(mesh, border), costal = mean_height(mesh, mesh.named("costal_insertion")),
-               pelvis = mean_height(mesh, mesh.named("pelvis"));
-  for (const char* region : {"abdominal_wall", "costal_insertion", "zone_of_apposition", "muscular_dome"})
-    for (int i : mesh.named(region)) {
-      Vec3d& p = mesh.rest[static_cast<std::size_t>(i)];
-      const double share =
-          p.z() > costal ? (top - p.z()) / (top - costal) : (p.z() - pelvis) / (costal - pelvis);
-      p += Vec3d{0.0, 0.0, std::clamp(share, 0.0, 1.0) * (line.height_beside(p) - costal)};
-    }
+  const double pelvis = mean_z(mesh, mesh.named("pelvis")),
+               costal = mean_z(mesh, mesh.named("costal_insertion")),
+               top = mean_z(mesh, mesh.named("apposition_top")), tendon = mean_z(mesh, border),
+               lung_top = mean_z(mesh, mesh.named("lung_top"));
+  const auto rise = [&](std::initializer_list<const char*> regions, auto&& share) {
+    for (const char* region : regions)
+      for (int i : mesh.named(region)) {
+        Vec3d& p = mesh.rest[static_cast<std::size_t>(i)];
+        p += Vec3d{0.0, 0.0, std::clamp(share(p.z()), 0.0, 1.0) * (line.height_beside(p) - costal)};
+      }
+  };
+  const auto above = [&](double z) { return (tendon - z) / (tendon - costal); };
+  rise({"abdominal_wall"}, [&](double z) { return (z - pelvis) / (costal - pelvis); });
+  rise({"costal_insertion", "zone_of_apposition", "muscular_dome"}, above);
+  rise({"lung_wall"}, [&](double z) { return above(top) * (lung_top - z) / (lung_top - top); });
 }
 
 Matching match(const TrunkMesh& placed, const MatchingGoals& goals,

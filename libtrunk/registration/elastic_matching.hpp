@@ -40,7 +40,8 @@ struct Matching {
 };
 
 /// Raises or lowers the costal insertion to the smooth curve of a measured one. What lies above follows in
-/// proportion up to the border of the central tendon, what lies below down to the pelvis. z is up.
+/// proportion up to the border of the central tendon and along the lung's wall to its top, what lies below
+/// down to the pelvis. z is up.
 void fit_insertion(const InsertionLine& line, TrunkMesh& mesh);
 
 /// Deforms a trunk onto measured surfaces, by the simulator's own means. Linear actuators draw points of the

@@ -26,14 +26,10 @@ double smallest_angle_of(std::span<const Vec3d> position, const Triangle& t) {
   return smallest;
 }
 
-void add(std::span<const Triangle> triangles, std::span<const Vec3d> position, MeshQuality& quality) {
-  std::vector<Vec3d> around(position.size());
-  for (const Triangle& t : triangles)
-    for (int i : t) around[static_cast<std::size_t>(i)] += area_of(position, t);
+void add(std::span<const Triangle> triangles, std::span<const Vec3d> before, std::span<const Vec3d> position,
+         MeshQuality& quality) {
   for (const Triangle& t : triangles) {
-    const Vec3d own = area_of(position, t);
-    const Vec3d others = at(around, t[0]) + at(around, t[1]) + at(around, t[2]) - 3.0 * own;
-    if (!(dot(own, others) > 0.0)) ++quality.folded;
+    if (!(dot(area_of(before, t), area_of(position, t)) > 0.0)) ++quality.folded;
     quality.smallest_angle = std::min(quality.smallest_angle, smallest_angle_of(position, t));
   }
 }
@@ -44,10 +40,10 @@ bool MeshQuality::sound() const noexcept {
   return folded == 0 && smallest_angle > 0.5 * std::numbers::pi / 180.0;
 }
 
-MeshQuality mesh_quality(const TrunkMesh& mesh, std::span<const Vec3d> position) {
+MeshQuality mesh_quality(const TrunkMesh& before, std::span<const Vec3d> position) {
   MeshQuality quality{std::numbers::pi, 0};
-  add(mesh.abdomen, position, quality);
-  add(mesh.lung, position, quality);
+  add(before.abdomen, before.rest, position, quality);
+  add(before.lung, before.rest, position, quality);
   return quality;
 }
 

@@ -103,26 +103,27 @@ double highest(const TrunkMesh& mesh, const std::vector<int>& particles) {
   return z;
 }
 
-/// Stretches the lung's wall upward from the top of the zone of apposition until the lung has its volume,
-/// which is linear in that.
-void size_lung(double wanted, TrunkMesh& mesh) {
-  const auto& base = mesh.named("apposition_top");
-  double base_z = 0.0;
-  for (int i : base) base_z += mesh.rest[index(i)].z() / static_cast<double>(base.size());
-  const auto stretched = [&](double factor) {
+double mean_height(const TrunkMesh& mesh, const std::vector<int>& particles) {
+  double sum = 0.0;
+  for (int i : particles) sum += mesh.rest[index(i)].z();
+  return sum / static_cast<double>(particles.size());
+}
+
+/// Raises the lung's wall until the lung has its volume, which is linear in that: each particle as far as it
+/// stood, in `before`, above the top of the zone of apposition.
+void size_lung(double wanted, const TrunkMesh& before, TrunkMesh& mesh) {
+  const double base = mean_height(before, before.named("apposition_top"));
+  const auto raised = [&](double share) {
     TrunkMesh result = mesh;
     for (const char* region : {"lung_wall", "lung_top"})
-      for (int i : mesh.named(region)) {
-        Vec3d& p = result.rest[index(i)];
-        if (p.z() > base_z) p += Vec3d{0.0, 0.0, (factor - 1.0) * (p.z() - base_z)};
-      }
+      for (int i : mesh.named(region))
+        result.rest[index(i)] += Vec3d{0.0, 0.0, share * (before.rest[index(i)].z() - base)};
     return result;
   };
-  const double now = volumes_of(mesh).lung, slope = volumes_of(stretched(2.0)).lung - now;
-  const double factor = 1.0 + (wanted - now) / slope;
-  const double domes = std::max(highest(mesh, mesh.named("central_tendon")), highest(mesh, base));
-  TrunkMesh sized = stretched(factor);
-  if (!(slope > 0.0 && factor > 0.0 && highest(sized, mesh.named("lung_top")) > domes))
+  const double now = volumes_of(mesh).lung, slope = volumes_of(raised(1.0)).lung - now;
+  TrunkMesh sized = raised((wanted - now) / slope);
+  const double domes = highest(mesh, mesh.named("central_tendon"));
+  if (!(slope > 0.0 && highest(sized, mesh.named("lung_top")) > domes))
     throw InputError(
         fmt::format("a lung volume of {:.0f} ml leaves no room over the domes of this diaphragm; expected "
                     "more: is it the volume at "
@@ -181,6 +182,7 @@ Registration register_trunk(const TrunkMesh& trunk, const SubjectTargets& target
   result.mesh = trunk;
   for (Vec3d& p : result.mesh.rest) p = similarity.scale * p;
   result.aligned = volumes_of(result.mesh);
+  const TrunkMesh aligned_mesh = result.mesh;
 
   MatchingGoals goals;
   for (const Shown& s : shown) goals.attractions.push_back({&s.surface, s.part, s.direction, s.facing});
@@ -199,13 +201,13 @@ Registration register_trunk(const TrunkMesh& trunk, const SubjectTargets& target
   result.moved = matching.moved;
   result.stopped_early = matching.stopped_early;
   result.matched = volumes_of(result.mesh);
-  if (targets.lung_volume) size_lung(*targets.lung_volume, result.mesh);
+  if (targets.lung_volume) size_lung(*targets.lung_volume, aligned_mesh, result.mesh);
 
   for (const Attraction& a : goals.attractions) add_region_fits(result.mesh, a, result.fits);
   result.extrapolated = regions_without_data(result.mesh, goals.attractions, result.particles_without_data);
   result.final = volumes_of(result.mesh);
   result.apposition_length = mean_apposition_length(result.mesh);
-  result.quality = mesh_quality(result.mesh, result.mesh.rest);
+  result.quality = mesh_quality(aligned_mesh, result.mesh.rest);
   for (Vec3d& p : result.mesh.rest) p = turn(similarity.rotation, p) + similarity.shift;
   return result;
 }
