@@ -111,8 +111,8 @@ bool Bound::holds(double v) const {
 }
 
 // The limits are our choice. k_muscle of `healthy` and `craighero` is fitted to dV; their dL, dH and dR are
-// predictions. The registered zone of apposition is 98 mm long where the paper's 9.13 mm are 6.13 % of 149 mm:
-// for the same volume it shortens a little more.
+// predictions. The registered zone of apposition is 98 mm long where the paper's 9.13 mm are 6.13 % of 149
+// mm: for the same volume it shortens a little more.
 std::vector<Bound> bounds() {
   std::vector<Bound> all{error_bound(healthy, eev, 0.1),
                          error_bound(healthy, dv, 1.0),

@@ -31,7 +31,8 @@ inline Vec3d bent(const Vec3d& p) {
           1.02 * p.z() + 0.008 * std::exp(-right)};
 }
 
-inline MeasuredSurface refined(std::span<const Vec3d> points, std::span<const Triangle> triangles, int parts) {
+inline MeasuredSurface refined(std::span<const Vec3d> points, std::span<const Triangle> triangles,
+                               int parts) {
   MeasuredSurface surface{"subject", {}, {}};
   std::map<std::array<long, 3>, int> known;
   const auto point = [&](const Vec3d& p) {
@@ -50,7 +51,8 @@ inline MeasuredSurface refined(std::span<const Vec3d> points, std::span<const Tr
     for (int i = 0; i < parts; ++i)
       for (int j = 0; i + j < parts; ++j) {
         surface.triangles.push_back({inner(i, j), inner(i + 1, j), inner(i, j + 1)});
-        if (i + j + 1 < parts) surface.triangles.push_back({inner(i + 1, j), inner(i + 1, j + 1), inner(i, j + 1)});
+        if (i + j + 1 < parts)
+          surface.triangles.push_back({inner(i + 1, j), inner(i + 1, j + 1), inner(i, j + 1)});
       }
   }
   return surface;
@@ -86,7 +88,8 @@ double keep(MeasuredSurface& surface, Wanted&& wanted) {
     for (int i : t) middle += (1.0 / 3.0) * surface.points[static_cast<std::size_t>(i)];
     if (wanted(middle)) kept.push_back(t);
   }
-  const double missing = 1.0 - static_cast<double>(kept.size()) / static_cast<double>(surface.triangles.size());
+  const double missing =
+      1.0 - static_cast<double>(kept.size()) / static_cast<double>(surface.triangles.size());
   surface.triangles = std::move(kept);
   return missing;
 }
