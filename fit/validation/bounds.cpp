@@ -127,7 +127,7 @@ std::vector<Bound> bounds() {
                          error_bound(craighero, dv, 1.0),
                          difference_bound(craighero, dl, 1.50),
                          difference_bound(craighero, dh, 0.75),
-                         difference_bound(craighero, dr, 0.50)};
+                         difference_bound(craighero, dr, 0.75)};
   for (const ParalysedPair& pair : paralysed_pairs())
     for (Bound& bound : paralysis_bounds(pair)) all.push_back(std::move(bound));
   all.push_back({"hemiparalysis.mirror", "hemiparalysis: left from the mirror image of right", "percent",
