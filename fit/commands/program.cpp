@@ -59,6 +59,7 @@ int trunk::run_program(int argc, char** argv) {
   trunk::add_replay(app, common, run);
   trunk::add_export(app, common, run);
   trunk::add_register(app, common, run);
+  trunk::add_compare(app, common, run);
   trunk::add_report(app, common, run);
   try {
     app.parse(argc, argv);

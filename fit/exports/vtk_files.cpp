@@ -96,4 +96,21 @@ std::vector<NamedText> vtk_files(const Trajectory& t, const std::string& file) {
   return files;
 }
 
+std::string surface_vtp(std::span<const double> points,
+                        const std::vector<std::array<std::int32_t, 3>>& triangles,
+                        const std::vector<NamedColumn>& columns) {
+  std::string xml = fmt::format(
+      "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" "
+      "header_type=\"UInt64\">\n<PolyData>\n<Piece NumberOfPoints=\"{}\" NumberOfVerts=\"0\" "
+      "NumberOfLines=\"0\" "
+      "NumberOfStrips=\"0\" NumberOfPolys=\"{}\">\n<PointData>\n",
+      points.size() / 3, triangles.size());
+  for (const NamedColumn& column : columns) add_numbers(column.name.c_str(), 1, column.values, xml);
+  xml += "</PointData>\n<Points>\n";
+  add_numbers("Points", 3, points, xml);
+  xml += "</Points>\n";
+  add_cells("Polys", triangles, xml);
+  return xml + "</Piece>\n</PolyData>\n</VTKFile>\n";
+}
+
 }  // namespace trunk

@@ -22,17 +22,23 @@ SignedDistance::SignedDistance(std::span<const Vec3d> points, std::span<const Tr
   const auto at = [&](int i) -> const Vec3d& { return points[static_cast<std::size_t>(i)]; };
   for (const Triangle& t : triangles_) {
     const Vec3d face = unit_or_zero(cross(at(t[1]) - at(t[0]), at(t[2]) - at(t[0])));
-    faces_.push_back(face);
+    faces_.push_back({face, false});
     for (std::size_t i = 0; i < 3; ++i) {
       const int a = t[i], b = t[(i + 1) % 3], c = t[(i + 2) % 3];
-      edges_[sorted_pair(a, b)] += face;
+      const auto [edge, first] = edges_.try_emplace(sorted_pair(a, b));
+      edge->second.normal += face;
+      edge->second.border = first;  // until a second triangle comes
       const double cosine = dot(unit_or_zero(at(b) - at(a)), unit_or_zero(at(c) - at(a)));
-      corners_[static_cast<std::size_t>(a)] += std::acos(std::clamp(cosine, -1.0, 1.0)) * face;
+      corners_[static_cast<std::size_t>(a)].normal += std::acos(std::clamp(cosine, -1.0, 1.0)) * face;
     }
   }
+  for (const auto& [edge, feature] : edges_)
+    if (feature.border)
+      for (const int corner : {edge.first, edge.second})
+        corners_[static_cast<std::size_t>(corner)].border = true;
 }
 
-Vec3d SignedDistance::normal_at(const ClosestPoints::Hit& hit) const {
+const SignedDistance::Feature& SignedDistance::feature_at(const ClosestPoints::Hit& hit) const {
   const Triangle& t = triangles_[static_cast<std::size_t>(hit.triangle)];
   std::array<int, 3> on{};
   std::size_t count = 0;
@@ -45,8 +51,9 @@ Vec3d SignedDistance::normal_at(const ClosestPoints::Hit& hit) const {
 
 SignedDistance::Hit SignedDistance::operator()(const Vec3d& p) const {
   const ClosestPoints::Hit hit = closest_(p);
-  const bool behind = dot(p - hit.point, normal_at(hit)) < 0.0;
-  return {hit, behind ? -hit.distance : hit.distance};
+  const Feature& feature = feature_at(hit);
+  const bool behind = dot(p - hit.point, feature.normal) < 0.0;
+  return {hit, behind ? -hit.distance : hit.distance, feature.border};
 }
 
 }  // namespace trunk

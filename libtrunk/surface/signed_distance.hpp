@@ -18,7 +18,8 @@ class SignedDistance {
   SignedDistance(std::span<const Vec3d> points, std::span<const Triangle> triangles);
 
   struct Hit : ClosestPoints::Hit {
-    double side;  // the distance, or minus the distance
+    double side;     // the distance, or minus the distance
+    bool at_border;  // the closest point is on an edge of one triangle: beside an open surface, not over it
   };
   /// Of a finite point, in the unit of the points.
   Hit operator()(const Vec3d& p) const;
@@ -26,12 +27,17 @@ class SignedDistance {
   const ClosestPoints& closest() const noexcept { return closest_; }
 
  private:
-  Vec3d normal_at(const ClosestPoints::Hit& hit) const;
+  /// Of the face, edge or corner that a closest point is on.
+  struct Feature {
+    Vec3d normal;  // not of unit length
+    bool border = false;
+  };
+  const Feature& feature_at(const ClosestPoints::Hit& hit) const;
 
   ClosestPoints closest_;
   std::vector<Triangle> triangles_;
-  std::vector<Vec3d> faces_, corners_;          // [triangles], [points]; not of unit length
-  std::map<std::pair<int, int>, Vec3d> edges_;  // sums of the normals of an edge's triangles
+  std::vector<Feature> faces_, corners_;  // [triangles], [points]
+  std::map<std::pair<int, int>, Feature> edges_;
 };
 
 }  // namespace trunk

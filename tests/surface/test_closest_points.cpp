@@ -18,9 +18,9 @@ struct Soup {
 };
 
 /// Triangles anywhere, also such that are a point or a line.
-Soup random_soup(std::size_t count, Random& random) {
+Soup random_soup(std::size_t size, Random& random) {
   Soup soup;
-  for (std::size_t i = 0; i < count; ++i) {
+  for (std::size_t i = 0; i < size; ++i) {
     const auto first = static_cast<int>(soup.points.size());
     const Vec3d at = random.vector(1.0), a = random.vector(0.3), b = random.vector(0.3);
     soup.points.insert(soup.points.end(), {at, at + a, at + b, at + 1e-9 * b, at + 0.5 * a});
@@ -145,7 +145,7 @@ TEST_CASE("Points are spread evenly over the area, whatever the triangles", "[un
     ++counts[std::min(3, static_cast<int>(4 * p.x()))][std::min(3, static_cast<int>(4 * p.y()))];
   }
   for (const auto& row : counts)
-    for (const int count : row) CHECK(std::abs(count - 625) < 30);
+    for (const int found : row) CHECK(std::abs(found - 625) < 30);
   CHECK(spread_over(square.points, std::span(square.triangles).last(1), 100).empty());
 }
 

@@ -14,8 +14,8 @@ double corner_of(std::string_view word, const Words& words, std::size_t points) 
   long value = 0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
   if (error != std::errc{} || end != digits.data() + digits.size() || value == 0)
-    words.fail(fmt::format("corner '{}' found; expected the number of a point, from 1; correct it",
-                           word.substr(0, 40)));
+    words.fail(
+        fmt::format("corner {} found; expected the number of a point, from 1; correct it", quoted(word)));
   return static_cast<double>(value) + (value > 0 ? -1.0 : static_cast<double>(points));
 }
 

@@ -40,9 +40,8 @@ NumberType ply_type(Words& words) {
   const std::string_view name = words.word_of_line();
   const auto type = number_type(name);
   if (!type)
-    words.fail(
-        fmt::format("property of type '{}' found; expected one of PLY's, such as float or int; correct it",
-                    name.substr(0, 40)));
+    words.fail(fmt::format(
+        "property of type {} found; expected one of PLY's, such as float or int; correct it", quoted(name)));
   return *type;
 }
 
@@ -77,8 +76,8 @@ PlyHeader read_ply_header(Words& words, SurfaceBuilder& builder) {
       else if (name == "binary_big_endian")
         header.coding = PlyCoding::big_endian;
       else if (name != "ascii")
-        words.fail(fmt::format("format '{}' found; expected ascii, binary_little_endian or binary_big_endian",
-                               name.substr(0, 40)));
+        words.fail(fmt::format("format {} found; expected ascii, binary_little_endian or binary_big_endian",
+                               quoted(name)));
     } else if (word == "element") {
       if (header.elements.size() >= most_elements) words.fail("more than 100 elements found; remove some");
       PlyElement element{std::string(words.word_of_line()), 0, {}};
@@ -90,8 +89,8 @@ PlyHeader read_ply_header(Words& words, SurfaceBuilder& builder) {
       Words comment = words;
       builder.remark(comment.rest_of_line());
     } else {
-      words.fail(fmt::format("'{}' found in the header; expected element, property or end_header; remove it",
-                             word.substr(0, 40)));
+      words.fail(fmt::format("{} found in the header; expected element, property or end_header; remove it",
+                             quoted(word)));
     }
   }
 }

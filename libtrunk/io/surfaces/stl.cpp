@@ -59,9 +59,8 @@ FileSurface read_text_stl(const std::string& bytes, const std::string& file) {
     } else if (same_word(word, "facet") || same_word(word, "endsolid")) {
       words.skip_line();  // the normal is often nan; the corners tell it better
     } else if (!same_word(word, "outer") && !same_word(word, "loop") && !same_word(word, "endfacet")) {
-      words.fail(
-          fmt::format("'{}' found; expected facet, vertex, endloop or endsolid of an STL; export it again",
-                      word.substr(0, 40)));
+      words.fail(fmt::format(
+          "{} found; expected facet, vertex, endloop or endsolid of an STL; export it again", quoted(word)));
     }
   }
   if (!loop.empty()) words.fail("the file ends within a facet; check that the export was finished");
@@ -73,7 +72,8 @@ FileSurface read_text_stl(const std::string& bytes, const std::string& file) {
 bool is_binary_stl(std::string_view bytes) {
   if (bytes.size() < stl_header) return false;
   if (bytes.size() == bytes_announced(bytes)) return true;
-  return bytes_announced(bytes) <= stl_header + stl_facet * most_surface_triangles &&
+  const std::size_t announced = bytes_announced(bytes);
+  return announced <= stl_header + stl_facet * most_surface_triangles && 2 * announced >= bytes.size() &&
          bytes.substr(0, 2000).find('\0') != std::string_view::npos;
 }
 

@@ -31,31 +31,24 @@ class VtkReader {
       else if (same_word(word, "POINT_DATA") || same_word(word, "CELL_DATA"))
         break;  // the surface comes before them
       else
-        words_.fail(fmt::format("'{}' found; expected POINTS, POLYGONS or TRIANGLE_STRIPS; export it again",
-                                printable(word)));
+        words_.fail(fmt::format("{} found; expected POINTS, POLYGONS or TRIANGLE_STRIPS; export it again",
+                                quoted(word)));
     }
     return builder_.finish();
   }
 
  private:
-  static std::string printable(std::string_view word) {
-    std::string shown(word.substr(0, 40));
-    for (char& c : shown)
-      if (c < 0x20 || c > 0x7E) c = '?';
-    return shown;
-  }
-
   void read_vtk_header() {
     words_.skip_line();
     builder_.remark(words_.rest_of_line());  // the title
     const std::string_view coding = words_.rest_of_line();
     binary_ = same_word(coding, "BINARY");
     if (!binary_ && !same_word(coding, "ASCII"))
-      words_.fail(fmt::format("'{}' found; expected ASCII or BINARY in the third line", printable(coding)));
+      words_.fail(fmt::format("{} found; expected ASCII or BINARY in the third line", quoted(coding)));
     if (!same_word(words_.next(), "DATASET")) words_.fail("no DATASET found after the header; expected one");
     if (const std::string_view kind = words_.rest_of_line(); !same_word(kind, "POLYDATA"))
       words_.fail(fmt::format("DATASET {} found; expected POLYDATA; extract the surface and save that",
-                              printable(kind)));
+                              quoted(kind)));
   }
 
   std::vector<double> numbers(std::size_t count, NumberType type) {
@@ -75,7 +68,7 @@ class VtkReader {
     const std::string_view name = words_.rest_of_line();
     const auto type = number_type(name);
     if (!type)
-      words_.fail(fmt::format("numbers of type '{}' found; expected float, double or int", printable(name)));
+      words_.fail(fmt::format("numbers of type {} found; expected float, double or int", quoted(name)));
     return *type;
   }
 

@@ -14,15 +14,14 @@ namespace {
 constexpr const char* any_white = " \t\v\f\r\n";
 constexpr const char* within_line = " \t\v\f";
 
-/// One line of at most 40 printable bytes, in quotes.
+}  // namespace
+
 std::string quoted(std::string_view word) {
   std::string shown(word.substr(0, 40));
   for (char& c : shown)
     if (c < 0x20 || c == 0x7F) c = '?';
   return "'" + shown + (word.size() > 40 ? "...'" : "'");
 }
-
-}  // namespace
 
 bool same_word(std::string_view a, std::string_view b) noexcept {
   const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };

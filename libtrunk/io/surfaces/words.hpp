@@ -48,11 +48,14 @@ class Words {
   std::size_t position_ = 0, line_ = 1;
 };
 
+/// A word of a file as a message cites it: in quotes, on one line, at most 40 bytes.
+std::string quoted(std::string_view word);
+
 /// Case does not matter.
 bool same_word(std::string_view a, std::string_view b) noexcept;
 
-/// Where the bytes are a binary STL: as many as its count of triangles says, or no text and a count that can
-/// be.
+/// Where the bytes are a binary STL: as many as its count of triangles says, or, cut short or with some
+/// bytes more, no text and a count that can be.
 bool is_binary_stl(std::string_view bytes);
 
 }  // namespace trunk

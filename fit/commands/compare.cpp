@@ -1,0 +1,165 @@
+#include <fmt/format.h>
+
+#include <numbers>
+
+#include "commands/commands.hpp"
+#include "commands/surface_options.hpp"
+#include "errors/input_error.hpp"
+#include "exports/csv_table.hpp"
+#include "exports/vtk_files.hpp"
+#include "results/read_records.hpp"
+#include "results/target_file.hpp"
+#include "shape/compare_shape.hpp"
+
+namespace trunk {
+namespace {
+
+constexpr double mm_per_m = 1e3;
+constexpr const char* sign_of_distance =
+    "positive: the model lies on the side that the surface faces, above a diaphragm, outside a closed "
+    "surface";
+
+struct CompareRequest {
+  std::string run, surface, at = "peak", region = "diaphragm", output;
+  SurfaceOptions options;
+  bool align = false;
+};
+
+Json distances_json(const Distances& d) {
+  return {{"mean_mm", mm_per_m * d.mean},
+          {"rms_mm", mm_per_m * d.rms},
+          {"median_mm", mm_per_m * d.median},
+          {"percentile95_mm", mm_per_m * d.percentile95},
+          {"hausdorff_mm", mm_per_m * d.hausdorff}};
+}
+
+std::vector<double> in_mm(std::vector<double> metres) {
+  for (double& x : metres) x *= mm_per_m;
+  return metres;
+}
+
+Json compare_json(const CompareRequest& request, const RunRegion& region, const SurfaceFile& file,
+                  const ShapeComparison& c) {
+  Json json{{"schema", "trunk.compare/1"},
+            {"run", request.run},
+            {"surface", request.surface},
+            {"format", file.format},
+            {"unit", file.unit},
+            {"axes", file.axes},
+            {"region", region.name},
+            {"at", request.at},
+            {"time_s", region.time_s},
+            {"sign", sign_of_distance},
+            {"mean_signed_mm", mm_per_m * c.mean_side},
+            {"model_to_surface", distances_json(c.to_surface)},
+            {"surface_to_model", distances_json(c.from_surface)},
+            {"hausdorff_mm", mm_per_m * std::max(c.to_surface.hausdorff, c.from_surface.hausdorff)},
+            {"covered_percent", 100.0 * c.covered},
+            {"covered_to_surface", distances_json(c.covered_to_surface)},
+            {"particles", region.particles},
+            {"signed_distance_mm", in_mm(c.side)},
+            {"at_border", c.at_border},
+            {"surface_triangles", file.surface.triangles.size()},
+            {"notes", file.notes}};
+  if (request.align)
+    json["aligned"] = {
+        {"shift_mm",
+         {mm_per_m * c.moved.shift.x(), mm_per_m * c.moved.shift.y(), mm_per_m * c.moved.shift.z()}},
+        {"angle_degrees", c.moved.angle * 180.0 / std::numbers::pi}};
+  return json;
+}
+
+std::string distances_line(const char* name, const Distances& d) {
+  return fmt::format("  {:<24}{:>9.2f}{:>9.2f}{:>9.2f}{:>9.2f}{:>11.2f}\n", name, mm_per_m * d.mean,
+                     mm_per_m * d.rms, mm_per_m * d.median, mm_per_m * d.percentile95,
+                     mm_per_m * d.hausdorff);
+}
+
+std::string compare_table(const CompareRequest& request, const RunRegion& region, const ShapeComparison& c) {
+  std::string text = fmt::format("{} of {} at {:.3f} s ({}) beside {}, mm\n", region.name, request.run,
+                                 region.time_s, request.at, request.surface);
+  text +=
+      fmt::format("  {:<24}{:>9}{:>9}{:>9}{:>9}{:>11}\n", "", "mean", "RMS", "median", "95 %", "Hausdorff");
+  text += distances_line("model to surface", c.to_surface);
+  if (c.covered < 0.995 && c.covered > 0.0)
+    text += distances_line(fmt::format("  the {:.0f} % over it", 100.0 * c.covered).c_str(),
+                           c.covered_to_surface);
+  text += distances_line("surface to model", c.from_surface);
+  text += fmt::format("  signed mean {:+.2f} mm ({})", mm_per_m * c.mean_side, sign_of_distance);
+  if (request.align)
+    text += fmt::format("\n  the surface was turned by {:.1f} degrees and moved to fit (--align)",
+                        c.moved.angle * 180.0 / std::numbers::pi);
+  return text;
+}
+
+/// The map: a particle a row, or the region with its numbers.
+std::string map_text(const std::filesystem::path& output, const RunRegion& region, const ShapeComparison& c) {
+  std::vector<double> flat, x, y, z, border(c.at_border.begin(), c.at_border.end());
+  for (const Vec3d& p : region.points) {
+    flat.insert(flat.end(), {p.x(), p.y(), p.z()});
+    x.push_back(mm_per_m * p.x());
+    y.push_back(mm_per_m * p.y());
+    z.push_back(mm_per_m * p.z());
+  }
+  if (output.extension() == ".vtp")
+    return surface_vtp(flat, region.triangles,
+                       {{"signed_distance_mm", "mm", in_mm(c.side)}, {"at_border", "1", border}});
+  CsvTable table;
+  table.add("particle", "1", region.particles);
+  table.add("x", "mm", x);
+  table.add("y", "mm", y);
+  table.add("z", "mm", z);
+  table.add("signed_distance", "mm", in_mm(c.side));
+  table.add("at_border", "1", border);
+  return table.csv();
+}
+
+void prepare_output(const Common& common, const CompareRequest& request) {
+  if (request.output.empty()) return;
+  const std::string extension = std::filesystem::path(request.output).extension();
+  if (extension != ".csv" && extension != ".vtp")
+    throw InputError(request.output, 0,
+                     "cannot tell what to write, expected a name that ends in .csv or .vtp");
+  require_apart({request.run, request.surface}, {request.output});
+  require_writable_target(request.output, common.force);
+}
+
+Exit compare_command(const Common& common, const CompareRequest& request) {
+  prepare_output(common, request);
+  const SurfaceFile file = read_surface(request.surface, request.options);
+  const RunRecord run = read_run(request.run);
+  const RunRegion region = region_at(request.region, moment_of(request.at, run.trajectory, request.run),
+                                     run.trajectory, request.run);
+  for (const std::string& note : file.notes) print_note("note: " + request.surface + ": " + note);
+  const ShapeComparison comparison = compare_shape(region, file.surface, request.align);
+  if (!request.output.empty()) {
+    const std::string map = map_text(request.output, region, comparison);
+    replace_file(request.output, std::as_bytes(std::span(map)));
+  }
+  print_result(common, compare_json(request, region, file, comparison),
+               compare_table(request, region, comparison));
+  return Exit::done;
+}
+
+}  // namespace
+
+void add_compare(CLI::App& app, Common& common, Run& run) {
+  auto* command = app.add_subcommand("compare", "Hold the shape of a run against a measured surface");
+  const auto request = std::make_shared<CompareRequest>();
+  command->add_option("RUN", request->run, "run or fit (HDF5); of a fit its best run")->required();
+  command->add_option("--surface", request->surface, "surface (STL, OBJ, PLY, VTK, VTP or PML)")->required();
+  command->add_option("--at", request->at, "peak (largest lung volume), start, end, or seconds [peak]");
+  command->add_option(
+      "--region", request->region,
+      "diaphragm, lung, abdomen, skin, or a region of the run such as central_tendon [diaphragm]");
+  add_surface_options(*command, request->options);
+  command->add_flag("--align", request->align, "first move the surface rigidly onto the region");
+  command->add_option("-o,--output", request->output,
+                      "signed distance of each particle: a table (.csv) or surface (.vtp)");
+  command->add_flag("--json", common.json, "print one JSON object");
+  command->add_flag("--force", common.force, "replace the output if it exists");
+  command->callback(
+      [&common, &run, request] { run = [&common, request] { return compare_command(common, *request); }; });
+}
+
+}  // namespace trunk
