@@ -20,6 +20,7 @@ void add_inspect(CLI::App& app, Common& common, Run& run);
 void add_diff(CLI::App& app, Common& common, Run& run);
 void add_replay(CLI::App& app, Common& common, Run& run);
 void add_export(CLI::App& app, Common& common, Run& run);
+void add_register(CLI::App& app, Common& common, Run& run);
 void add_compare(CLI::App& app, Common& common, Run& run);
 void add_report(CLI::App& app, Common& common, Run& run);
 

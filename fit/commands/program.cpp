@@ -58,6 +58,7 @@ int trunk::run_program(int argc, char** argv) {
   trunk::add_diff(app, common, run);
   trunk::add_replay(app, common, run);
   trunk::add_export(app, common, run);
+  trunk::add_register(app, common, run);
   trunk::add_compare(app, common, run);
   trunk::add_report(app, common, run);
   try {

@@ -71,7 +71,8 @@ std::vector<Table1Source> table1_rows(const Findings& f) {
   return {{"experiment", "experiment", &f.paper.experiment},
           {"published_model", "published model", &f.paper.published_model},
           {"published_healthy", "ours, published_healthy", &f.published_healthy.row},
-          {"healthy", "ours, healthy", &f.healthy.row}};
+          {"healthy", "ours, healthy", &f.healthy.row},
+          {"craighero", "ours, craighero", &f.craighero.row}};
 }
 
 std::string validation_text(const Findings& findings, std::span<const Judged> results) {

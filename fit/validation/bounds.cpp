@@ -26,24 +26,31 @@ double distance(const Table1Row& row, const Compared& column, const Findings& f)
   return row.*column.value - f.paper.experiment.*column.value;
 }
 
-Bound error_bound(const Compared& column, double percent) {
-  return {"healthy." + column.csv + "_error",
-          "healthy: error of " + column.title,
+/// A scenario that breathes as the experiment did.
+struct Simulated {
+  std::string name;
+  ValidatedBreath Findings::*breath;
+};
+const Simulated healthy{"healthy", &Findings::healthy}, craighero{"craighero", &Findings::craighero};
+
+Bound error_bound(const Simulated& ours, const Compared& column, double percent) {
+  return {ours.name + "." + column.csv + "_error",
+          ours.name + ": error of " + column.title,
           "percent",
           -percent,
           percent,
           [=](const Findings& f) {
-            return 100.0 * distance(f.healthy.row, column, f) / (f.paper.experiment.*column.value);
+            return 100.0 * distance((f.*ours.breath).row, column, f) / (f.paper.experiment.*column.value);
           }};
 }
 
-Bound difference_bound(const Compared& column, double mm) {
-  return {"healthy." + column.csv + "_difference",
-          "healthy: " + column.title + " from the experiment's",
+Bound difference_bound(const Simulated& ours, const Compared& column, double mm) {
+  return {ours.name + "." + column.csv + "_difference",
+          ours.name + ": " + column.title + " from the experiment's",
           "mm",
           -mm,
           mm,
-          [=](const Findings& f) { return distance(f.healthy.row, column, f); }};
+          [=](const Findings& f) { return distance((f.*ours.breath).row, column, f); }};
 }
 
 /// Our distance to the experiment over the published model's.
@@ -103,11 +110,24 @@ bool Bound::holds(double v) const {
   return open ? low < v && v < high : low <= v && v <= high;
 }
 
-// The limits are our choice. k_muscle of `healthy` is fitted to dV; its dL, dH and dR are predictions.
+// The limits are our choice. k_muscle of `healthy` and `craighero` is fitted to dV; their dL, dH and dR are
+// predictions. The registered zone of apposition is 98 mm long where the paper's 9.13 mm are 6.13 % of 149
+// mm: for the same volume it shortens a little more.
 std::vector<Bound> bounds() {
-  std::vector<Bound> all{error_bound(eev, 0.1),      error_bound(dv, 1.0),       difference_bound(dl, 0.30),
-                         difference_bound(dh, 0.75), difference_bound(dr, 0.50), nearness_bound(dv),
-                         nearness_bound(dl),         nearness_bound(dh),         nearness_bound(dr)};
+  std::vector<Bound> all{error_bound(healthy, eev, 0.1),
+                         error_bound(healthy, dv, 1.0),
+                         difference_bound(healthy, dl, 0.30),
+                         difference_bound(healthy, dh, 0.75),
+                         difference_bound(healthy, dr, 0.50),
+                         nearness_bound(dv),
+                         nearness_bound(dl),
+                         nearness_bound(dh),
+                         nearness_bound(dr),
+                         error_bound(craighero, eev, 0.1),
+                         error_bound(craighero, dv, 1.0),
+                         difference_bound(craighero, dl, 1.50),
+                         difference_bound(craighero, dh, 0.75),
+                         difference_bound(craighero, dr, 0.75)};
   for (const ParalysedPair& pair : paralysed_pairs())
     for (Bound& bound : paralysis_bounds(pair)) all.push_back(std::move(bound));
   all.push_back({"hemiparalysis.mirror", "hemiparalysis: left from the mirror image of right", "percent",

@@ -16,9 +16,9 @@ struct Bound {
   bool holds(double value) const;
 };
 
-/// Table 1: `healthy` against the experiment and against the published model. Paralysis: about half the
-/// volume, the paralysed dome rises, the healthy one descends, left mirrors right. And the abdomen keeps its
-/// volume.
+/// Table 1: `healthy` against the experiment and against the published model; `craighero`, the paper's own
+/// subject, against the experiment. Paralysis: about half the volume, the paralysed dome rises, the healthy
+/// one descends, left mirrors right. And the abdomen keeps its volume.
 std::vector<Bound> bounds();
 
 /// A bound with what was found.

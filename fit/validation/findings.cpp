@@ -13,6 +13,7 @@ namespace {
 constexpr ValidatedScenario scenarios[] = {
     {"published_healthy", &Findings::published_healthy},
     {"healthy", &Findings::healthy},
+    {"craighero", &Findings::craighero},
     {"hemiparalysis_right", &Findings::hemiparalysis_right},
     {"hemiparalysis_left", &Findings::hemiparalysis_left},
     {"exercise_healthy", &Findings::exercise_healthy},

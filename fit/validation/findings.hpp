@@ -19,6 +19,7 @@ struct ValidatedBreath {
 struct Findings {
   Table1 paper;
   ValidatedBreath published_healthy, healthy;
+  ValidatedBreath craighero;                                // the trunk registered to the paper's own subject
   ValidatedBreath hemiparalysis_right, hemiparalysis_left;  // twin: healthy
   ValidatedBreath exercise_healthy, exercise_hemiparalysis_right;
 };

@@ -40,6 +40,7 @@ Findings good() {
   f.paper = read_table1(shipped_table);
   f.published_healthy = breath(440.0, 9.0, 9.0);
   f.healthy = breath(466.0, 10.0, 10.0);
+  f.craighero = breath(466.0, 10.0, 10.0);
   f.hemiparalysis_right = breath(230.0, -2.0, 14.0);
   f.hemiparalysis_left = breath(230.0, 14.0, -2.0);
   f.exercise_healthy = breath(1200.0, 27.0, 27.0);
@@ -138,6 +139,11 @@ TEST_CASE("A good model keeps every bound, each worsened number fails its own", 
       {{"healthy.dr_difference"}, [](Findings& f) { f.healthy.row.dr_mm = 0.51; }},
       {{"healthy.dr_difference"}, [](Findings& f) { f.healthy.row.dr_mm = -0.51; }},
       {{"healthy.dr_difference", "healthy.dr_nearness"}, [](Findings& f) { f.healthy.row.dr_mm = -8.9; }},
+      {{"craighero.eev_error"}, [](Findings& f) { f.craighero.row.eev_ml = 4765; }},
+      {{"craighero.dv_error"}, [](Findings& f) { f.craighero.row.dv_ml = 461; }},
+      {{"craighero.dl_difference"}, [](Findings& f) { f.craighero.row.dl_mm = 10.64; }},
+      {{"craighero.dh_difference"}, [](Findings& f) { f.craighero.row.dh_mm = 1.24; }},
+      {{"craighero.dr_difference"}, [](Findings& f) { f.craighero.row.dr_mm = -0.76; }},
       {{"hemiparalysis_right.dv", "hemiparalysis.mirror"},
        [](Findings& f) { f.hemiparalysis_right.row.dv_ml = 186; }},
       {{"hemiparalysis_left.dv", "hemiparalysis.mirror"},

@@ -13,7 +13,7 @@ using Catch::Matchers::Contains;
 
 namespace {
 
-std::size_t count(const std::string& text, const std::string& part) {
+std::size_t occurrences(const std::string& text, const std::string& part) {
   std::size_t n = 0;
   for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++n;
   return n;
@@ -76,8 +76,8 @@ TEST_CASE("Every kind of bad scenario names file, line, what was found and what 
     INFO(bad.text << "--> " << message);
     CHECK_THAT(message, Contains("bad.toml" + bad.line));
     for (const std::string& part : bad.parts) CHECK_THAT(message, Contains(part));
-    CHECK(count(message, "bad.toml") == 1);  // the place is said once
-    CHECK(count(message, "\n") == 0);        // one line
+    CHECK(occurrences(message, "bad.toml") == 1);  // the place is said once
+    CHECK(occurrences(message, "\n") == 0);        // one line
   }
 }
 

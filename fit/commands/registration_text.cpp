@@ -1,0 +1,126 @@
+#include "commands/registration_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numbers>
+
+namespace trunk {
+namespace {
+
+constexpr double millimetre = 1e-3, millilitre = 1e-6, one_degree = std::numbers::pi / 180.0;
+
+Json distances_json(const std::optional<Distances>& found) {
+  if (!found) return nullptr;
+  const Distances& d = *found;
+  return {{"rms_mm", d.rms / millimetre},
+          {"median_mm", d.median / millimetre},
+          {"p95_mm", d.percentile95 / millimetre},
+          {"hausdorff_mm", d.hausdorff / millimetre}};
+}
+
+std::string fit_row(const RegionFit& fit) {
+  const auto numbers = [](const std::optional<Distances>& d) {
+    if (!d) return fmt::format(" {:>31} |", "");
+    return fmt::format(" {:>7.2f} {:>7.2f} {:>7.2f} {:>7.2f} |", d->rms / millimetre, d->median / millimetre,
+                       d->percentile95 / millimetre, d->hausdorff / millimetre);
+  };
+  return fmt::format("{:<30}{}{} {:>6.0f} %\n", fit.target + (fit.region == "all" ? "" : ", " + fit.region),
+                     numbers(fit.to_target), numbers(fit.from_target), 100.0 * fit.with_data);
+}
+
+std::string listed(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
+
+}  // namespace
+
+RegistrationVerdict verdict_of(const Registration& found, double tolerance) {
+  if (!found.quality.sound())
+    return {"unsound_mesh", fmt::format("{} triangles are folded and the smallest angle is {:.2f} degrees: "
+                                        "another --lower-border, a landmark or a cleaner surface may help",
+                                        found.quality.folded, found.quality.smallest_angle / one_degree)};
+  for (const RegionFit& fit : found.fits) {
+    if (fit.region != "all") continue;  // each target as a whole
+    for (const std::optional<Distances>& d : {fit.to_target, fit.from_target})
+      if (d && !(d->rms <= tolerance && d->percentile95 <= 2.0 * tolerance))
+        return {"beyond_tolerance",
+                fmt::format(
+                    "the trunk is {:.1f} mm (RMS; 95th percentile {:.1f}) from the {}; expected at most {:g} "
+                    "and {:g}: is it in these axes and this unit, and is it the whole of it?",
+                    d->rms / millimetre, d->percentile95 / millimetre, fit.target, tolerance / millimetre,
+                    2.0 * tolerance / millimetre)};
+  }
+  return {"registered", "registered"};
+}
+
+Json registration_json(const Registration& found, const RegistrationVerdict& verdict) {
+  const Similarity& s = found.alignment.similarity;
+  Json json{{"schema", "trunk.register/1"}, {"status", verdict.status}, {"message", verdict.message}};
+  json["similarity"] = {
+      {"scale", s.scale},
+      {"rotation_deg", s.angle() / one_degree},
+      {"translation_mm", {s.shift.x() / millimetre, s.shift.y() / millimetre, s.shift.z() / millimetre}},
+      {"rms_mm", found.alignment.rms / millimetre}};
+  json["regions"] = Json::array();
+  for (const RegionFit& fit : found.fits)
+    json["regions"].push_back({{"target", fit.target},
+                               {"region", fit.region},
+                               {"to_target", distances_json(fit.to_target)},
+                               {"to_target_with_extrapolated", distances_json(fit.to_target_all)},
+                               {"from_target", distances_json(fit.from_target)},
+                               {"with_data_percent", 100.0 * fit.with_data}});
+  json["lung_volume_aligned_ml"] = found.aligned.lung / millilitre;
+  json["lung_volume_matched_ml"] = found.matched.lung / millilitre;
+  json["lung_volume_ml"] = found.final.lung / millilitre;
+  json["abdominal_volume_aligned_ml"] = found.aligned.abdomen / millilitre;
+  json["abdominal_volume_ml"] = found.final.abdomen / millilitre;
+  json["apposition_length_mm"] = found.apposition_length / millimetre;
+  json["costal_insertion_found_percent"] = 100.0 * found.insertion_covered;
+  json["extrapolated_regions"] = found.extrapolated;
+  json["particles"] = found.mesh.rest.size();
+  json["particles_without_data"] = found.particles_without_data;
+  json["smallest_angle_deg"] = found.quality.smallest_angle / one_degree;
+  json["folded_triangles"] = found.quality.folded;
+  json["iterations"] = found.iterations;
+  json["alignment_iterations"] = found.alignment.iterations;
+  json["last_movement_mm"] = found.moved / millimetre;
+  json["stopped_early"] = found.stopped_early;
+  return json;
+}
+
+std::string registration_text(const Registration& found, const RegistrationVerdict& verdict) {
+  const Similarity& s = found.alignment.similarity;
+  std::string text = fmt::format(
+      "{}: scale {:.3f}, turned {:.1f} degrees, shifted ({:.0f}, {:.0f}, {:.0f}) mm, then matched in {} "
+      "iterations\n",
+      verdict.done() ? "Registered" : "Not as wanted", s.scale, s.angle() / one_degree,
+      s.shift.x() / millimetre, s.shift.y() / millimetre, s.shift.z() / millimetre, found.iterations);
+  text += fmt::format("{:<30} {:^31} | {:^31} |\n", "mm", "trunk to surface", "surface to trunk");
+  text += fmt::format("{:<30}", "");
+  for (int direction = 0; direction < 2; ++direction)
+    text += fmt::format(" {:>7} {:>7} {:>7} {:>7} |", "RMS", "median", "95 %", "most");
+  text += " with data\n";
+  for (const RegionFit& fit : found.fits) text += fit_row(fit);
+  text += fmt::format(
+      "lung {:.0f} ml (aligned {:.0f}, matched {:.0f}), abdomen {:.0f} ml (aligned {:.0f}), zone of "
+      "apposition {:.1f} mm\n",
+      found.final.lung / millilitre, found.aligned.lung / millilitre, found.matched.lung / millilitre,
+      found.final.abdomen / millilitre, found.aligned.abdomen / millilitre,
+      found.apposition_length / millimetre);
+  text +=
+      found.insertion_covered > 0.0
+          ? fmt::format(
+                "costal insertion: on the lower border of the surface, on {:.0f} % of the way around\n",
+                100.0 * found.insertion_covered)
+          : "costal insertion: extrapolated, the lower border of the surface is not it or there is none\n";
+  text += fmt::format("extrapolated: {} ({} of {} particles without data)\n",
+                      found.extrapolated.empty() ? "no region" : listed(found.extrapolated),
+                      found.particles_without_data, found.mesh.rest.size());
+  return text + fmt::format("smallest angle {:.1f} degrees, {} triangles folded\n",
+                            found.quality.smallest_angle / one_degree, found.quality.folded);
+}
+
+}  // namespace trunk

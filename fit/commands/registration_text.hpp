@@ -1,0 +1,23 @@
+#pragma once
+
+#include "commands/output.hpp"
+#include "registration/register_trunk.hpp"
+
+namespace trunk {
+
+/// Whether a registration is what was asked for.
+struct RegistrationVerdict {
+  std::string status;   // "registered", "beyond_tolerance", "unsound_mesh"
+  std::string message;  // why, in words
+
+  bool done() const { return status == "registered"; }
+};
+
+/// Of every target as a whole: RMS distance within the tolerance, m, and 95th percentile within twice that,
+/// both ways, where there are data; and triangles that are sound.
+RegistrationVerdict verdict_of(const Registration& found, double tolerance);
+
+Json registration_json(const Registration& found, const RegistrationVerdict& verdict);
+std::string registration_text(const Registration& found, const RegistrationVerdict& verdict);
+
+}  // namespace trunk

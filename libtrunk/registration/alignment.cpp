@@ -1,0 +1,206 @@
+#include "registration/alignment.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "registration/measured_target.hpp"
+#include "registration/surface_samples.hpp"
+#include "surface/closest_points.hpp"
+#include "surface/distances.hpp"
+
+namespace trunk {
+namespace {
+
+constexpr double kept = 0.8;
+
+/// Corresponding points, [pairs] each.
+struct Matches {
+  std::vector<Vec3d> of_trunk, measured;
+  std::vector<Vec3d> normal;  // of the surface that was asked, as measured; zero where only the point counts
+  std::vector<double> distance;  // m, as measured
+};
+
+/// One part of the trunk, one measured surface, points spread over each, and what is closest to them.
+class Corresponding {
+ public:
+  Corresponding(const SurfacePair& pair, std::size_t samples)
+      : pair_(pair),
+        trunk_points_(spread_over(pair.particles, pair.triangles, samples)),
+        measured_points_(spread_over(pair.target->points, pair.target->triangles, samples)),
+        trunk_(pair.particles, pair.triangles),
+        measured_(*pair.target) {}
+
+  const std::vector<Vec3d>& trunk_points() const { return trunk_points_; }
+  const std::vector<Vec3d>& measured_points() const { return measured_points_; }
+
+  /// inside: what lies beyond the border of an open surface has no counterpart and is left out, which takes a
+  /// start that is near.
+  void add_matches(const Similarity& at, bool inside, Matches& matches) const {
+    Matches to_measured, to_trunk;
+    for (const Vec3d& x : trunk_points_) {
+      const auto hit = measured_.closest(at(x));
+      if (inside && measured_.on_border(hit)) continue;
+      add(x, hit.point, normal(pair_.target->points, pair_.target->triangles, hit), hit.distance,
+          to_measured);
+    }
+    for (const Vec3d& q : measured_points_) {
+      const auto hit = trunk_(at.inverse(q));
+      add(hit.point, q, turn(at.rotation, normal(pair_.particles, pair_.triangles, hit)),
+          at.scale * hit.distance, to_trunk);
+    }
+    for (const Matches* direction : {&to_measured, &to_trunk}) keep_closest(*direction, matches);
+  }
+
+ private:
+  static Vec3d normal(std::span<const Vec3d> points, std::span<const Triangle> triangles,
+                      const ClosestPoints::Hit& hit) {
+    return unit_normal(points, triangles[static_cast<std::size_t>(hit.triangle)]);
+  }
+
+  static void add(const Vec3d& of_trunk, const Vec3d& measured, const Vec3d& normal, double distance,
+                  Matches& to) {
+    to.of_trunk.push_back(of_trunk);
+    to.measured.push_back(measured);
+    to.normal.push_back(normal);
+    to.distance.push_back(distance);
+  }
+
+  static void keep_closest(const Matches& from, Matches& to) {
+    if (from.distance.empty()) return;
+    std::vector<double> sorted = from.distance;
+    const auto last =
+        sorted.begin() + static_cast<std::ptrdiff_t>(kept * static_cast<double>(sorted.size() - 1));
+    std::nth_element(sorted.begin(), last, sorted.end());
+    for (std::size_t i = 0; i < from.distance.size(); ++i)
+      if (from.distance[i] <= *last)
+        add(from.of_trunk[i], from.measured[i], from.normal[i], from.distance[i], to);
+  }
+
+  SurfacePair pair_;
+  std::vector<Vec3d> trunk_points_, measured_points_;
+  ClosestPoints trunk_;
+  MeasuredTarget measured_;
+};
+
+Vec3d mean(std::span<const Vec3d> points) {
+  Vec3d sum;
+  for (const Vec3d& p : points) sum += p;
+  return (1.0 / static_cast<double>(points.size())) * sum;
+}
+
+double spread(std::span<const Vec3d> points, const Vec3d& centre) {
+  double sum = 0.0;
+  for (const Vec3d& p : points) sum += dot(p - centre, p - centre);
+  return std::sqrt(sum / static_cast<double>(points.size()));
+}
+
+/// The same centre and the same spread, turned.
+Similarity start_from(std::span<const Corresponding> sides, const Rotation<double>& rotation) {
+  std::vector<Vec3d> trunk, measured;
+  for (const Corresponding& side : sides) {
+    trunk.insert(trunk.end(), side.trunk_points().begin(), side.trunk_points().end());
+    measured.insert(measured.end(), side.measured_points().begin(), side.measured_points().end());
+  }
+  const Vec3d from = mean(trunk), to = mean(measured);
+  Similarity start{spread(measured, to) / spread(trunk, from), rotation, {}};
+  start.shift = to - start(from);
+  return start;
+}
+
+/// The similarity after this one that brings the matches together: as points, or with surfaces free to slide
+/// along each other, which arrives in far fewer iterations once it is near (Chen and Medioni 1992), by one
+/// Gauss-Newton step in turn, shift and scale.
+Similarity sliding(const Similarity& at, const Matches& matches) {
+  using Row = Eigen::Matrix<double, 7, 1>;
+  Vec3d centre;
+  for (const Vec3d& q : matches.measured) centre += (1.0 / static_cast<double>(matches.measured.size())) * q;
+  Eigen::Matrix<double, 7, 7> normal = Eigen::Matrix<double, 7, 7>::Zero();
+  Row right = Row::Zero();
+  const auto add = [&](const Vec3d& arm, const Vec3d& n, const Vec3d& off) {
+    const Vec3d moment = cross(arm, n);
+    Row row;
+    row << moment.x(), moment.y(), moment.z(), n.x(), n.y(), n.z(), dot(arm, n);
+    normal += row * row.transpose();
+    right += dot(n, off) * row;
+  };
+  for (std::size_t i = 0; i < matches.of_trunk.size(); ++i) {
+    const Vec3d x = at(matches.of_trunk[i]), off = matches.measured[i] - x, n = matches.normal[i];
+    if (dot(n, n) > 0.0)
+      add(x - centre, n, off);
+    else
+      for (const Vec3d& axis : {Vec3d{1, 0, 0}, Vec3d{0, 1, 0}, Vec3d{0, 0, 1}}) add(x - centre, axis, off);
+  }
+  normal.diagonal() *= 1.0 + 1e-6;
+  const Row step = normal.ldlt().solve(right);
+  const Rotation<double> turned = small_rotation(Vec3d{step[0], step[1], step[2]});
+  const double grown = 1.0 + std::clamp(step[6], -0.2, 0.2);
+  return {at.scale * grown, then(at.rotation, turned),
+          centre + grown * turn(turned, at.shift - centre) + Vec3d{step[3], step[4], step[5]}};
+}
+
+Alignment iterate(std::span<const Corresponding> surfaces, std::span<const NamedPoint> landmarks,
+                  Alignment at, int iterations, bool slide) {
+  constexpr double arrived_m = 1e-5, landmark_share = 0.2;
+  for (int last = at.iterations + iterations; at.iterations < last; ++at.iterations) {
+    Matches matches;
+    for (const Corresponding& surface : surfaces) surface.add_matches(at.similarity, slide, matches);
+    double squares = 0.0;
+    for (const double d : matches.distance) squares += d * d;
+    at.rms = std::sqrt(squares / static_cast<double>(matches.distance.size()));
+    // Landmarks together weigh a fifth of the surfaces.
+    const auto copies =
+        landmarks.empty()
+            ? 0
+            : 1 + static_cast<std::size_t>(landmark_share * static_cast<double>(matches.distance.size()) /
+                                           static_cast<double>(landmarks.size()));
+    for (const NamedPoint& landmark : landmarks)
+      for (std::size_t i = 0; i < copies; ++i) {
+        matches.of_trunk.push_back(landmark.of_trunk);
+        matches.measured.push_back(landmark.measured);
+        matches.normal.push_back({});
+      }
+    const Similarity next =
+        slide ? sliding(at.similarity, matches) : fitted_similarity(matches.of_trunk, matches.measured);
+    double moved = 0.0;
+    for (const Vec3d& x : matches.of_trunk) moved = std::max(moved, norm(next(x) - at.similarity(x)));
+    at.similarity = next;
+    if (moved < arrived_m) break;
+  }
+  return at;
+}
+
+std::vector<Rotation<double>> starting_rotations() {
+  constexpr double turn = 25.0 * std::numbers::pi / 180.0;
+  std::vector<Rotation<double>> rotations;
+  for (const double x : {0.0, turn, -turn})
+    for (const double y : {0.0, turn, -turn})
+      for (const double z : {0.0, turn, -turn})
+        rotations.push_back(then(then(rotation_about({1, 0, 0}, x), rotation_about({0, 1, 0}, y)),
+                                 rotation_about({0, 0, 1}, z)));
+  return rotations;
+}
+
+std::vector<Corresponding> sides_of(std::span<const SurfacePair> pairs, std::size_t samples) {
+  std::vector<Corresponding> sides;
+  for (const SurfacePair& pair : pairs) sides.emplace_back(pair, samples);
+  return sides;
+}
+
+}  // namespace
+
+Alignment align(std::span<const SurfacePair> pairs, std::span<const NamedPoint> landmarks) {
+  constexpr std::size_t few = 120, many = 500, best = 3;
+  const std::vector<Corresponding> coarse = sides_of(pairs, few), fine = sides_of(pairs, many);
+  std::vector<Alignment> found;
+  for (const Rotation<double>& rotation : starting_rotations())
+    found.push_back(iterate(coarse, landmarks, {start_from(coarse, rotation), 0.0, 0}, 10, false));
+  const auto better = [](const Alignment& a, const Alignment& b) { return a.rms < b.rms; };
+  std::stable_sort(found.begin(), found.end(), better);
+  found.resize(best);
+  for (Alignment& a : found) a = iterate(fine, landmarks, iterate(fine, landmarks, a, 10, false), 30, true);
+  return *std::min_element(found.begin(), found.end(), better);
+}
+
+}  // namespace trunk

@@ -1,0 +1,216 @@
+#include "registration/register_trunk.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "errors/input_error.hpp"
+#include "mesh/volume.hpp"
+#include "registration/region_fits.hpp"
+#include "registration/trunk_parts.hpp"
+
+namespace trunk {
+namespace {
+
+std::size_t index(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+/// Both lungs as one surface.
+MeasuredSurface joined(const std::vector<MeasuredSurface>& surfaces) {
+  MeasuredSurface all{"lungs", {}, {}};
+  for (const MeasuredSurface& s : surfaces) {
+    const int before = static_cast<int>(all.points.size());
+    all.points.insert(all.points.end(), s.points.begin(), s.points.end());
+    for (const Triangle& t : s.triangles)
+      all.triangles.push_back({t[0] + before, t[1] + before, t[2] + before});
+  }
+  return all;
+}
+
+/// A measured surface, the part of the trunk it shows, and how it draws it.
+struct Shown {
+  MeasuredSurface surface;
+  std::vector<Triangle> part;
+  Attraction::Direction direction;
+  Attraction::Facing facing;
+};
+
+std::vector<Shown> shown_by(const TrunkMesh& trunk, const SubjectTargets& targets) {
+  using Direction = Attraction::Direction;
+  using Facing = Attraction::Facing;
+  std::vector<Shown> shown;
+  const auto add = [&](const MeasuredSurface& surface, const char* name, std::vector<Triangle> part,
+                       Direction direction, Facing facing) {
+    shown.push_back({surface, std::move(part), direction, facing});
+    shown.back().surface.name = name;
+  };
+  if (targets.diaphragm)
+    add(*targets.diaphragm, "diaphragm", diaphragm_of(trunk), Direction::both, Facing::any);
+  if (!targets.lungs.empty()) add(joined(targets.lungs), "lungs", trunk.lung, Direction::both, Facing::alike);
+  if (targets.skin)
+    add(*targets.skin, "skin", abdominal_wall_of(trunk), Direction::part_to_target, Facing::alike);
+  if (targets.ribs)
+    add(*targets.ribs, "ribs", rib_side_of(trunk), Direction::target_to_part, Facing::opposed);
+  if (shown.empty())
+    throw InputError("there is no surface to register to; expected a diaphragm, lungs, skin or ribs");
+  return shown;
+}
+
+/// The particles of a landmark as an actuator draws them, by equal weights.
+LinearActuator landmark_actuator(const TrunkMesh& trunk, const std::string& name, const Vec3d& place) {
+  constexpr double as_of_a_surface = 0.02;
+  const std::vector<int>& particles = trunk.named(name);
+  if (particles.empty() || particles.size() > 3) {
+    std::string known;
+    for (const auto& [landmark, its] : trunk.landmarks)
+      if (!its.empty() && its.size() <= 3) known += (known.empty() ? "" : ", ") + landmark;
+    throw InputError(fmt::format("landmark '{}' has {} particles; expected one of 1 to 3: lung_top, {}", name,
+                                 particles.size(), known));
+  }
+  LinearActuator actuator{{particles[0], particles[0], particles[0]}, {}, place, as_of_a_surface};
+  for (std::size_t k = 0; k < particles.size(); ++k) {
+    actuator.particle[k] = particles[k];
+    actuator.weight[k] = 1.0 / static_cast<double>(particles.size());
+  }
+  return actuator;
+}
+
+/// The skin and the ribs show less of where the trunk is than what lies inside; they align it where there is
+/// nothing else.
+Alignment aligned(const TrunkMesh& trunk, const std::vector<Shown>& shown,
+                  std::span<const LinearActuator> landmarks) {
+  std::vector<SurfacePair> pairs;
+  for (const Shown& s : shown)
+    if (s.surface.name == "diaphragm" || s.surface.name == "lungs")
+      pairs.push_back({trunk.rest, s.part, &s.surface});
+  const std::vector<Triangle> outside = outside_of(trunk);
+  if (pairs.empty()) pairs.push_back({trunk.rest, outside, &shown.front().surface});
+  std::vector<NamedPoint> points;
+  for (const LinearActuator& a : landmarks) points.push_back({a.target - a.reach(trunk.rest), a.target});
+  return align(pairs, points);
+}
+
+Volumes volumes_of(const TrunkMesh& mesh) {
+  return {enclosed_volume<double>(mesh.lung, mesh.rest), enclosed_volume<double>(mesh.abdomen, mesh.rest)};
+}
+
+double highest(const TrunkMesh& mesh, const std::vector<int>& particles) {
+  double z = -HUGE_VAL;
+  for (int i : particles) z = std::max(z, mesh.rest[index(i)].z());
+  return z;
+}
+
+double mean_height(const TrunkMesh& mesh, const std::vector<int>& particles) {
+  double sum = 0.0;
+  for (int i : particles) sum += mesh.rest[index(i)].z();
+  return sum / static_cast<double>(particles.size());
+}
+
+/// Raises the lung's wall until the lung has its volume, which is linear in that: each particle as far as it
+/// stood, in `before`, above the top of the zone of apposition.
+void size_lung(double wanted, const TrunkMesh& before, TrunkMesh& mesh) {
+  const double base = mean_height(before, before.named("apposition_top"));
+  const auto raised = [&](double share) {
+    TrunkMesh result = mesh;
+    for (const char* region : {"lung_wall", "lung_top"})
+      for (int i : mesh.named(region))
+        result.rest[index(i)] += Vec3d{0.0, 0.0, share * (before.rest[index(i)].z() - base)};
+    return result;
+  };
+  const double now = volumes_of(mesh).lung, slope = volumes_of(raised(1.0)).lung - now;
+  TrunkMesh sized = raised((wanted - now) / slope);
+  const double domes = highest(mesh, mesh.named("central_tendon"));
+  if (!(slope > 0.0 && highest(sized, mesh.named("lung_top")) > domes))
+    throw InputError(
+        fmt::format("a lung volume of {:.0f} ml leaves no room over the domes of this diaphragm; expected "
+                    "more: is it the volume at "
+                    "the end of expiration, and is the unit of the surface right?",
+                    1e6 * wanted));
+  mesh = std::move(sized);
+}
+
+double mean_apposition_length(const TrunkMesh& mesh) {
+  double sum = 0.0;
+  for (const auto& line : mesh.muscle_lines)
+    for (std::size_t row = 0; row < mesh.apposition_top_row(); ++row)
+      sum += norm(mesh.rest[index(line[row + 1])] - mesh.rest[index(line[row])]);
+  return sum / static_cast<double>(mesh.muscle_lines.size());
+}
+
+/// The line of the costal insertion on a measured diaphragm, where that is to be looked for and shown.
+std::optional<InsertionLine> insertion_on(const MeasuredSurface& diaphragm, const TrunkMesh& placed,
+                                          LowerBorder border) {
+  if (border == LowerBorder::cut) return std::nullopt;
+  constexpr std::size_t points = 20000;
+  std::vector<Vec3d> all = spread_over(diaphragm.points, diaphragm.triangles, points);
+  for (const Triangle& t : diaphragm.triangles)
+    for (int i : t) all.push_back(diaphragm.points[index(i)]);
+  const auto& ring = placed.named("costal_insertion");
+  Vec3d low(HUGE_VAL, HUGE_VAL, HUGE_VAL), high = -1.0 * low;
+  for (int i : ring) {
+    const Vec3d& p = placed.rest[index(i)];
+    low = {std::min(low.x(), p.x()), std::min(low.y(), p.y()), std::min(low.z(), p.z())};
+    high = {std::max(high.x(), p.x()), std::max(high.y(), p.y()), std::max(high.z(), p.z())};
+  }
+  const double zone = mean_apposition_length(placed);
+  InsertionLine line(all, 0.5 * (low + high), 0.5 * (high.x() - low.x()), 0.5 * (high.y() - low.y()), zone);
+  const double costal = 0.5 * (low.z() + high.z());
+  if (border == LowerBorder::automatic && !(line.covered() > 0.5 && line.low_height() < costal + 0.5 * zone))
+    return std::nullopt;
+  return line;
+}
+
+}  // namespace
+
+Registration register_trunk(const TrunkMesh& trunk, const SubjectTargets& targets,
+                            const std::function<void(int iteration, int of)>& progress) {
+  std::vector<Shown> shown = shown_by(trunk, targets);
+  std::vector<LinearActuator> landmarks;
+  for (const auto& [name, place] : targets.landmarks)
+    landmarks.push_back(landmark_actuator(trunk, name, place));
+
+  Registration result;
+  result.alignment = aligned(trunk, shown, landmarks);
+  const Similarity& similarity = result.alignment.similarity;
+  // From here on upright, in the trunk's own directions and at the subject's size.
+  const auto upright = [&](const Vec3d& p) { return turn_back(similarity.rotation, p - similarity.shift); };
+  for (Shown& s : shown)
+    for (Vec3d& p : s.surface.points) p = upright(p);
+  for (LinearActuator& landmark : landmarks) landmark.target = upright(landmark.target);
+  result.mesh = trunk;
+  for (Vec3d& p : result.mesh.rest) p = similarity.scale * p;
+  result.aligned = volumes_of(result.mesh);
+  const TrunkMesh aligned_mesh = result.mesh;
+
+  MatchingGoals goals;
+  for (const Shown& s : shown) goals.attractions.push_back({&s.surface, s.part, s.direction, s.facing});
+  goals.landmarks = landmarks;
+  goals.apposition_length = targets.apposition_length;
+  std::optional<InsertionLine> insertion;
+  if (targets.diaphragm) insertion = insertion_on(shown.front().surface, result.mesh, targets.lower_border);
+  if (insertion) {
+    goals.insertion = &*insertion;
+    result.insertion_covered = insertion->covered();
+    fit_insertion(*insertion, result.mesh);
+  }
+  Matching matching = match(result.mesh, goals, progress);
+  result.mesh.rest = std::move(matching.position);
+  result.iterations = matching.iterations;
+  result.moved = matching.moved;
+  result.stopped_early = matching.stopped_early;
+  result.matched = volumes_of(result.mesh);
+  if (targets.lung_volume) size_lung(*targets.lung_volume, aligned_mesh, result.mesh);
+
+  for (const Attraction& a : goals.attractions) add_region_fits(result.mesh, a, result.fits);
+  result.extrapolated = regions_without_data(result.mesh, goals.attractions, result.particles_without_data);
+  result.final = volumes_of(result.mesh);
+  result.apposition_length = mean_apposition_length(result.mesh);
+  result.quality = mesh_quality(aligned_mesh, result.mesh.rest);
+  for (Vec3d& p : result.mesh.rest) p = turn(similarity.rotation, p) + similarity.shift;
+  return result;
+}
+
+}  // namespace trunk

@@ -1,0 +1,246 @@
+#include <catch2/catch.hpp>
+
+#include "errors/input_error.hpp"
+#include "registration/insertion_line.hpp"
+#include "registration/measured_target.hpp"
+#include "registration/subject.hpp"
+
+using namespace trunk;
+using namespace trunk::test;
+using Catch::Matchers::Contains;
+
+namespace {
+
+constexpr double mm = 1e-3, degree = std::numbers::pi / 180.0;
+
+Vec3d mean_of(const TrunkMesh& mesh, const char* name) {
+  Vec3d sum;
+  for (int i : mesh.named(name)) sum += mesh.rest[at(i)];
+  return (1.0 / static_cast<double>(mesh.named(name).size())) * sum;
+}
+
+/// What holds of every registered trunk.
+void require_a_trunk(const Registration& found, const TrunkMesh& before) {
+  CHECK(found.quality.sound());
+  CHECK(found.mesh.abdomen == before.abdomen);
+  CHECK(found.mesh.lung == before.lung);
+  CHECK(found.mesh.muscle_lines == before.muscle_lines);
+  CHECK(found.mesh.regions == before.regions);
+  CHECK(found.mesh.landmarks == before.landmarks);
+  CHECK(enclosed_volume<double>(found.mesh.lung, found.mesh.rest) == Approx(found.final.lung));
+  CHECK(enclosed_volume<double>(found.mesh.abdomen, found.mesh.rest) == Approx(found.final.abdomen));
+  CHECK(found.final.lung > 0.0);
+  CHECK(found.final.abdomen > 0.0);
+  CHECK_NOTHROW(require_anatomy(found.mesh));
+}
+
+std::vector<Vec3d> ring(std::size_t count, double (*height)(double angle)) {
+  std::vector<Vec3d> points;
+  for (std::size_t k = 0; k < count; ++k) {
+    const double angle = 2.0 * std::numbers::pi * (static_cast<double>(k) + 0.5) / static_cast<double>(count);
+    for (const double above : {0.0, 0.05, 0.1})
+      points.push_back({0.15 * std::cos(angle), 0.1 * std::sin(angle), height(angle) + above});
+  }
+  return points;
+}
+
+}  // namespace
+
+TEST_CASE("A similarity is found again from its points", "[unit][registration]") {
+  const Similarity truth{1.2, rotation_about({0.0, 0.6, 0.8}, 0.5), {0.1, -0.2, 0.3}};
+  Random random(3);
+  std::vector<Vec3d> from, to;
+  for (int i = 0; i < 20; ++i) {
+    from.push_back(random.vector(0.2));
+    to.push_back(truth(from.back()));
+  }
+  const Similarity found = fitted_similarity(from, to);
+  CHECK(found.scale == Approx(1.2));
+  CHECK(found.angle() == Approx(0.5));
+  for (const Vec3d& p : from) {
+    CHECK(norm(found(p) - truth(p)) < 1e-12);
+    CHECK(norm(found.inverse(truth(p)) - p) < 1e-12);
+  }
+}
+
+TEST_CASE("Actuators that turn the whole trunk meet no resistance, others their balance",
+          "[property][registration]") {
+  const TrunkMesh mesh = make_template_mesh({});
+  const std::vector<double> one(mesh.rest.size(), 4000.0), none(mesh.rest.size(), 0.0);
+  ElasticBalance balance;
+  for (const auto* triangles : {&mesh.abdomen, &mesh.lung})
+    balance.add(
+        make_shape_memory(Surface("trunk", *triangles, 113), mesh.rest, one, none, Reaction::variational));
+  const Similarity rigid{1.0, rotation_about({0, 0, 1}, 0.3), {0.01, 0.02, 0.03}};
+  std::vector<LinearActuator> actuators;
+  for (int i = 0; i < 113; i += 4)
+    actuators.push_back({{i, i, i}, {1.0, 0.0, 0.0}, rigid(mesh.rest[at(i)]), 500.0});
+  const std::vector<Vec3d> turned = balance.relaxed(mesh.rest, actuators, 200);
+  for (std::size_t i = 0; i < turned.size(); ++i) CHECK(norm(turned[i] - rigid(mesh.rest[i])) < 1e-4);
+
+  // One particle drawn apart from the others: shape memory holds against it.
+  actuators.assign(1, {{0, 0, 0}, {1.0, 0.0, 0.0}, mesh.rest[0] + Vec3d{0.0, 0.0, -0.05}, 500.0});
+  for (int i = 1; i < 113; ++i) actuators.push_back({{i, i, i}, {1.0, 0.0, 0.0}, mesh.rest[at(i)], 100.0});
+  const std::vector<Vec3d> drawn = balance.relaxed(mesh.rest, actuators, 60);
+  const double sunk = mesh.rest[0].z() - drawn[0].z();
+  CHECK(sunk > 0.001);
+  CHECK(sunk < 0.045);
+  CHECK(largest(difference(balance.relaxed(drawn, actuators, 1), drawn)) < 1e-6);
+}
+
+TEST_CASE("The border of an open surface is known", "[unit][registration]") {
+  const MeasuredSurface square{
+      "square", {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}};
+  const MeasuredTarget target(square);
+  CHECK(target.on_border(target.closest({2.0, 0.5, 0.0})));
+  CHECK(target.on_border(target.closest({2.0, 2.0, 0.0})));
+  CHECK_FALSE(target.on_border(target.closest({0.6, 0.2, 1.0})));
+  CHECK_FALSE(target.on_border(target.closest({0.5, 0.5, 1.0})));  // on the diagonal, which two share
+}
+
+TEST_CASE("Triangles that folded or shrank to slivers are seen", "[unit][registration]") {
+  const TrunkMesh mesh = make_template_mesh({});
+  CHECK(mesh_quality(mesh, mesh.rest).sound());
+  CHECK(mesh_quality(mesh, mesh.rest).smallest_angle > 15 * degree);
+  const std::size_t saddle = at(mesh.named("dome_saddle").front()),
+                    beside = at(mesh.named("dome_top_left").front());
+  std::vector<Vec3d> folded = mesh.rest, sliver = mesh.rest;
+  folded[saddle] += 1.6 * (mesh.rest[beside] - mesh.rest[saddle]);
+  CHECK(mesh_quality(mesh, folded).folded > 0);
+  CHECK_FALSE(mesh_quality(mesh, folded).sound());
+  sliver[saddle] += 0.9999 * (mesh.rest[beside] - mesh.rest[saddle]);
+  CHECK(mesh_quality(mesh, sliver).smallest_angle < 0.5 * degree);
+  CHECK_FALSE(mesh_quality(mesh, sliver).sound());
+}
+
+TEST_CASE("The costal insertion is the lower border where that is smooth", "[unit][registration]") {
+  const Vec3d centre{0.0, 0.0, 0.2}, right{0.15, 0.0, 0.0}, front{0.0, 0.1, 0.0}, left{-0.15, 0.0, 0.0};
+  const auto line = [&](double (*height)(double)) {
+    return InsertionLine(ring(720, height), centre, 0.15, 0.1, 0.15);
+  };
+  const InsertionLine flat = line([](double) { return 0.2; });
+  CHECK(flat.covered() == 1.0);
+  CHECK(flat.low_height() == Approx(0.2));
+  const InsertionLine margin =
+      line([](double a) { return 0.2 + 0.1 * std::pow(0.5 + 0.5 * std::sin(a), 5.0); });
+  CHECK(margin.covered() == 1.0);
+  CHECK(margin.beside(front)->z() == Approx(0.3).margin(2 * mm));
+  CHECK(margin.height_beside(front) == Approx(0.3).margin(20 * mm));
+  const auto cut_left = [](double a) { return std::cos(a) < -0.5 ? 0.28 : 0.2; };
+  const InsertionLine cut = line(cut_left);
+  CHECK(cut.covered() == Approx(2.0 / 3.0).margin(0.03));
+  CHECK_FALSE(cut.beside(left));
+  CHECK(cut.beside(right)->z() == Approx(0.2));
+  CHECK(cut.height_beside(left) == Approx(0.2).margin(10 * mm));
+  const InsertionLine high =
+      line([](double a) { return std::sin(a) > 0.5 ? 0.4 : 0.2; });  // no rib margin rises so
+  CHECK_FALSE(high.beside(front));
+  CHECK(high.height_beside(front) == Approx(0.2).margin(10 * mm));
+}
+
+TEST_CASE("A known subject is found again, noisy and with a third of the surface missing",
+          "[slow][regression][registration]") {
+  struct Case {
+    double scale, turn_degrees;
+    bool hole;  // else triangles here and there
+  };
+  for (const Case& c : {Case{1.0, 0.0, false}, Case{1.2, 30.0, false}, Case{0.8, -30.0, true}}) {
+    KnownSubject subject = known_subject({1, c.scale, c.turn_degrees, 6});
+    add_noise(subject.diaphragm, 2 * mm);
+    Random random(11);
+    const Vec3d dome = subject.truth[at(subject.trunk.named("dome_top_left").front())];
+    const double missing = keep(subject.diaphragm, [&](const Vec3d& p) {
+      return c.hole ? norm(p - dome) > 0.115 * c.scale : random.unit() > 0.3;
+    });
+    CAPTURE(c.scale, c.turn_degrees, missing);
+    CHECK(missing > 0.2);
+    const Registration found = registered(subject);
+    require_a_trunk(found, subject.trunk);
+    const PointErrors errors = errors_of(subject, found);
+    CHECK(errors.surface.rms < 2 * mm);
+    CHECK(errors.surface.percentile95 < 4 * mm);
+    CHECK(errors.point.rms < 6 * mm);  // along a smooth surface only its shape and border tell
+    CHECK(found.alignment.similarity.scale == Approx(c.scale).epsilon(0.05));
+    CHECK(found.alignment.similarity.angle() == Approx(std::abs(c.turn_degrees) * degree).margin(4 * degree));
+    CHECK(found.fits.front().to_target->rms < 2 * mm);
+    CHECK(found.fits.front().from_target->rms < 2 * mm);
+  }
+}
+
+TEST_CASE("Volume, length and landmarks are what was asked for; the same comes out again",
+          "[slow][regression][registration]") {
+  const KnownSubject subject = known_subject({1, 1.0, 0.0, 3});
+  const Registration plain = registered(subject);
+  const Vec3d dome = mean_of(plain.mesh, "dome_top_right"), place = dome + Vec3d{0.0, 0.01, 0.0};
+  SubjectTargets targets;
+  targets.diaphragm = subject.diaphragm;
+  targets.lung_volume = 4000e-6;
+  targets.apposition_length = 0.12;
+  targets.landmarks["dome_top_right"] = place;
+  const Registration found = registered(subject, targets), again = registered(subject, targets);
+  require_a_trunk(found, subject.trunk);
+  CHECK(found.final.lung == Approx(4000e-6).epsilon(1e-9));
+  CHECK(plain.apposition_length > 0.14);
+  CHECK(plain.extrapolated == std::vector<std::string>{"abdominal_wall", "lung_top", "lung_wall", "pelvis"});
+  CHECK(plain.particles_without_data == 58);
+  CHECK(plain.insertion_covered > 0.95);
+  CHECK(found.apposition_length == Approx(0.12).margin(4 * mm));
+  CHECK(norm(mean_of(found.mesh, "dome_top_right") - place) < 0.6 * norm(dome - place));
+  CHECK(errors_of(subject, found).surface.rms < 4 * mm);
+  for (std::size_t i = 0; i < found.mesh.rest.size(); ++i) {
+    const Vec3d &a = found.mesh.rest[i], &b = again.mesh.rest[i];
+    CHECK((a.x() == b.x() && a.y() == b.y() && a.z() == b.z()));
+  }
+  CHECK(mean_of(found.mesh, "dome_top_left").x() < mean_of(found.mesh, "dome_top_right").x());
+}
+
+TEST_CASE("A finer trunk is registered as well", "[slow][regression][registration]") {
+  KnownSubject subject = known_subject({2, 1.1, 15.0, 2});
+  add_noise(subject.diaphragm, 2 * mm);
+  const Registration found = registered(subject);
+  require_a_trunk(found, subject.trunk);
+  CHECK(found.mesh.rest.size() == 455);
+  CHECK(errors_of(subject, found).surface.rms < 2 * mm);
+}
+
+TEST_CASE("What no data show is carried along and said", "[slow][regression][registration]") {
+  KnownSubject subject = known_subject({1, 1.0, 0.0, 4});
+  keep(subject.diaphragm, [](const Vec3d& p) { return p.z() > 0.46; });  // 0.36 of the trunk
+  SubjectTargets targets;
+  targets.diaphragm = subject.diaphragm;
+  targets.lower_border = LowerBorder::cut;
+  const Registration dome = registered(subject, targets);
+  CHECK(dome.insertion_covered == 0.0);
+  CHECK(dome.extrapolated ==
+        std::vector<std::string>{"abdominal_wall", "costal_insertion", "lung_top", "lung_wall", "pelvis"});
+  CHECK(dome.particles_without_data > 58 + 6);
+  CHECK(dome.fits.front().with_data < 0.9);
+  for (const RegionFit& fit : dome.fits)
+    if (fit.to_target) CHECK(fit.to_target->rms <= fit.to_target_all->rms + 1e-12);
+}
+
+TEST_CASE("Closed lungs draw the domes and the lung's wall", "[slow][regression][registration]") {
+  const KnownSubject subject = known_subject({1, 1.05, 10.0, 4});
+  SubjectTargets targets;
+  targets.lungs.push_back(refined(subject.truth, subject.trunk.lung, 4));
+  const Registration found = register_trunk(subject.trunk, targets, [](int, int) {});
+  require_a_trunk(found, subject.trunk);
+  CHECK(found.fits.front().target == "lungs");
+  CHECK(found.fits.front().to_target->rms < 3 * mm);
+  CHECK(found.fits.front().from_target->rms < 3 * mm);
+  const double truth = enclosed_volume<double>(subject.trunk.lung, subject.truth);
+  CHECK(found.final.lung == Approx(truth).epsilon(0.03));
+}
+
+TEST_CASE("Targets that cannot be used are refused in words", "[unit][registration]") {
+  KnownSubject subject = known_subject({1, 1.0, 0.0, 1});
+  CHECK_THROWS_WITH(register_trunk(subject.trunk, {}, [](int, int) {}),
+                    Contains("no surface to register to"));
+  SubjectTargets targets;
+  targets.diaphragm = subject.diaphragm;
+  targets.landmarks["nose"] = {};
+  CHECK_THROWS_WITH(registered(subject, targets), Contains("'nose'") && Contains("dome_top_right"));
+  targets.landmarks.clear();
+  targets.landmarks["fixed"] = {};
+  CHECK_THROWS_WITH(registered(subject, targets), Contains("'fixed'"));
+}
