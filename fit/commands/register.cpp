@@ -6,9 +6,9 @@
 #include "commands/commands.hpp"
 #include "commands/registration_text.hpp"
 #include "commands/shipped_files.hpp"
+#include "commands/surface_options.hpp"
 #include "errors/input_error.hpp"
 #include "io/scenario_file.hpp"
-#include "io/surface_file.hpp"
 #include "io/trunk_pml.hpp"
 #include "results/target_file.hpp"
 #include "surface/axes.hpp"
@@ -173,13 +173,7 @@ void add_register(CLI::App& app, Common& common, Run& run) {
       ->take_all();
   command->add_option("--skin", request->skin, "the skin of the trunk, for the abdominal wall");
   command->add_option("--ribs", request->ribs, "the ribs, for the zone of apposition and the lung's wall");
-  command->add_option(
-      "--axes", request->file.axes,
-      "axes of the files: where x, y and z grow (LPS, RAS …), or the coordinates that are right, "
-      "forward, up (x,-z,y) [the file's own, or guessed and said]");
-  command->add_option("--surface-unit", request->file.unit,
-                      "mm, cm or m [the file's own, or guessed and said]");
-  command->add_option("--component", request->file.component, "the one part to read, of files with several");
+  add_surface_options(*command, request->file);
   command
       ->add_option("--landmark", request->landmarks,
                    "name=x,y,z: where a landmark of the trunk is (dome_top_right, dome_top_left, "

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "registration/measured_target.hpp"
 #include "registration/surface_samples.hpp"
 #include "surface/closest_points.hpp"
 #include "surface/distances.hpp"
@@ -29,15 +30,18 @@ class Corresponding {
         trunk_points_(spread_over(pair.particles, pair.triangles, samples)),
         measured_points_(spread_over(pair.target->points, pair.target->triangles, samples)),
         trunk_(pair.particles, pair.triangles),
-        measured_(pair.target->points, pair.target->triangles) {}
+        measured_(*pair.target) {}
 
   const std::vector<Vec3d>& trunk_points() const { return trunk_points_; }
   const std::vector<Vec3d>& measured_points() const { return measured_points_; }
 
-  void add_matches(const Similarity& at, Matches& matches) const {
+  /// inside: what lies beyond the border of an open surface has no counterpart and is left out, which takes a
+  /// start that is near.
+  void add_matches(const Similarity& at, bool inside, Matches& matches) const {
     Matches to_measured, to_trunk;
     for (const Vec3d& x : trunk_points_) {
-      const auto hit = measured_(at(x));
+      const auto hit = measured_.closest(at(x));
+      if (inside && measured_.on_border(hit)) continue;
       add(x, hit.point, normal(pair_.target->points, pair_.target->triangles, hit), hit.distance,
           to_measured);
     }
@@ -64,6 +68,7 @@ class Corresponding {
   }
 
   static void keep_closest(const Matches& from, Matches& to) {
+    if (from.distance.empty()) return;
     std::vector<double> sorted = from.distance;
     const auto last =
         sorted.begin() + static_cast<std::ptrdiff_t>(kept * static_cast<double>(sorted.size() - 1));
@@ -75,7 +80,8 @@ class Corresponding {
 
   SurfacePair pair_;
   std::vector<Vec3d> trunk_points_, measured_points_;
-  ClosestPoints trunk_, measured_;
+  ClosestPoints trunk_;
+  MeasuredTarget measured_;
 };
 
 Vec3d mean(std::span<const Vec3d> points) {
@@ -139,7 +145,7 @@ Alignment iterate(std::span<const Corresponding> surfaces, std::span<const Named
   constexpr double arrived_m = 1e-5, landmark_share = 0.2;
   for (int last = at.iterations + iterations; at.iterations < last; ++at.iterations) {
     Matches matches;
-    for (const Corresponding& surface : surfaces) surface.add_matches(at.similarity, matches);
+    for (const Corresponding& surface : surfaces) surface.add_matches(at.similarity, slide, matches);
     double squares = 0.0;
     for (const double d : matches.distance) squares += d * d;
     at.rms = std::sqrt(squares / static_cast<double>(matches.distance.size()));

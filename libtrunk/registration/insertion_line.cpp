@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
+
+#include "errors/input_error.hpp"
 
 namespace trunk {
 namespace {
@@ -30,6 +33,79 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
+/// A lowest point by its angle.
+struct Low {
+  double turns, height;  // 0 to 1; m
+};
+
+struct Curve {
+  Row coefficients = Row::Zero();
+  std::vector<double> off;  // [points] distance over the scatter
+
+  std::vector<double> near() const {
+    std::vector<double> is_near;
+    for (const double distance : off) is_near.push_back(distance <= gap ? 1.0 : 0.0);
+    return is_near;
+  }
+  double rise() const { return coefficients[4] + coefficients[5]; }
+  double tilt() const { return std::abs(coefficients[1]); }
+};
+
+double sum(const std::vector<double>& values) {
+  return std::accumulate(values.begin(), values.end(), 0.0);
+}
+
+/// Least squares with the weights of Geman and McClure, whose reach shrinks to twice the scatter. A gap in
+/// the data only raises their lowest points: what lies below the curve keeps its weight.
+Curve fitted_curve(const std::vector<Low>& points, std::vector<double> weight, bool rising) {
+  constexpr int rounds = 40;
+  constexpr double least_scatter = 4e-3, most_scatter = 8e-3, widest_reach = 0.03, shrink = 0.9,
+                   flatness = 0.01;
+  Curve curve;
+  curve.off.resize(points.size());
+  double scatter = least_scatter, reach = widest_reach;
+  for (int round = 0; round < rounds; ++round, reach *= shrink) {
+    Eigen::Matrix<double, coefficients, coefficients> normal = flatness * decltype(normal)::Identity();
+    normal(0, 0) = 0.0;  // the height itself is free
+    Row right = Row::Zero();
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const Row row = basis_at(points[i].turns, rising);
+      normal += weight[i] * row * row.transpose();
+      right += weight[i] * points[i].height * row;
+    }
+    curve.coefficients = normal.ldlt().solve(right);
+    std::vector<double> above;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      above.push_back(points[i].height - basis_at(points[i].turns, rising).dot(curve.coefficients));
+      curve.off[i] = std::abs(above[i]);
+    }
+    scatter = std::clamp(1.4826 * median(curve.off), least_scatter, most_scatter);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const double scaled = std::max(0.0, above[i]) / std::max(2.0 * scatter, reach);
+      weight[i] = 1.0 / ((1.0 + scaled * scaled) * (1.0 + scaled * scaled));
+    }
+  }
+  for (double& distance : curve.off) distance /= scatter;
+  return curve;
+}
+
+/// First without a rise, from the lower half of the points; then with one, from what lies on that curve and
+/// what is in front. The second holds where its rise is possible and takes in more.
+Curve margin_of(const std::vector<Low>& points, double highest_rise) {
+  std::vector<double> heights, weight;
+  for (const Low& p : points) heights.push_back(p.height);
+  const double middle = median(heights);
+  for (const Low& p : points) weight.push_back(p.height <= middle ? 1.0 : 0.0);
+  Curve level = fitted_curve(points, weight, false);
+  weight = level.near();
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (std::sin(2.0 * std::numbers::pi * points[i].turns) > 0.2) weight[i] = 1.0;
+  Curve rising = fitted_curve(points, weight, true);
+  constexpr double most_tilt = 15e-3;  // m, to one side
+  const bool possible = rising.rise() > 0.0 && rising.rise() <= highest_rise && rising.tilt() <= most_tilt;
+  return possible && sum(rising.near()) > sum(level.near()) ? rising : level;
+}
+
 }  // namespace
 
 InsertionLine::InsertionLine(std::span<const Vec3d> points, const Vec3d& centre, double half_width,
@@ -39,54 +115,20 @@ InsertionLine::InsertionLine(std::span<const Vec3d> points, const Vec3d& centre,
     auto& lowest = lowest_[std::min(static_cast<std::size_t>(turns(p) * sector_count), sector_count - 1)];
     if (!lowest || p.z() < lowest->z()) lowest = p;
   }
-  std::vector<double> residual = fit(true);
-  if (curve_[4] + curve_[5] > highest_rise) residual = fit(false);
-  auto at = residual.begin();
+  std::vector<Low> there;
+  for (const auto& p : lowest_)
+    if (p) there.push_back({turns(*p), p->z()});
+  if (there.empty()) throw InputError("a surface without points has no lower border");
+  const Curve curve = margin_of(there, highest_rise);
+  curve_.assign(curve.coefficients.begin(), curve.coefficients.end());
+  auto off = curve.off.begin();
   for (auto& p : lowest_)
-    if (p && *at++ > gap) p.reset();
+    if (p && *off++ > gap) p.reset();
 }
 
 double InsertionLine::turns(const Vec3d& p) const {
   const double angle = std::atan2((p.y() - centre_.y()) / half_depth_, (p.x() - centre_.x()) / half_width_);
   return angle / (2.0 * std::numbers::pi) + (angle < 0.0 ? 1.0 : 0.0);
-}
-
-/// Least squares with the weights of Geman and McClure, whose reach shrinks to twice the scatter. A gap in
-/// the data only raises their lowest points: what lies below the curve keeps its weight.
-std::vector<double> InsertionLine::fit(bool rising) {
-  constexpr int rounds = 40;
-  constexpr double least_scatter = 4e-3, most_scatter = 8e-3, first_reach = 0.1, shrink = 0.85,
-                   flatness = 0.01;
-  rising_ = rising;
-  std::vector<Row> rows;
-  std::vector<double> heights;
-  for (const auto& p : lowest_)
-    if (p) {
-      rows.push_back(basis_at(turns(*p), rising));
-      heights.push_back(p->z());
-    }
-  std::vector<double> weight(rows.size(), 1.0), off(rows.size(), 0.0);
-  double scatter = least_scatter, reach = first_reach;
-  for (int round = 0; round < rounds; ++round, reach *= shrink) {
-    Eigen::Matrix<double, coefficients, coefficients> normal = flatness * decltype(normal)::Identity();
-    normal(0, 0) = 0.0;  // the height itself is free
-    Row right = Row::Zero();
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      normal += weight[i] * rows[i] * rows[i].transpose();
-      right += weight[i] * heights[i] * rows[i];
-    }
-    const Row curve = normal.ldlt().solve(right);
-    curve_.assign(curve.begin(), curve.end());
-    for (std::size_t i = 0; i < rows.size(); ++i) off[i] = std::abs(heights[i] - rows[i].dot(curve));
-    scatter = std::clamp(1.4826 * median(off), least_scatter, most_scatter);
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      const double above = std::max(0.0, heights[i] - rows[i].dot(curve));
-      const double scaled = above / std::max(2.0 * scatter, reach);
-      weight[i] = 1.0 / ((1.0 + scaled * scaled) * (1.0 + scaled * scaled));
-    }
-  }
-  for (double& distance : off) distance /= scatter;
-  return off;
 }
 
 std::optional<Vec3d> InsertionLine::beside(const Vec3d& particle) const {
@@ -99,7 +141,7 @@ std::optional<Vec3d> InsertionLine::beside(const Vec3d& particle) const {
 }
 
 double InsertionLine::height_beside(const Vec3d& particle) const {
-  return Eigen::Map<const Row>(curve_.data()).dot(basis_at(turns(particle), rising_));
+  return Eigen::Map<const Row>(curve_.data()).dot(basis_at(turns(particle), true));
 }
 
 double InsertionLine::covered() const {

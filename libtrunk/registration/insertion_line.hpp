@@ -37,14 +37,12 @@ class InsertionLine {
   double mean_height() const;  ///< m; of what is covered
 
  private:
-  double turns(const Vec3d& p) const;    // 0 to 1
-  std::vector<double> fit(bool rising);  // distance off the curve over the scatter, of each that is there
+  double turns(const Vec3d& p) const;  // 0 to 1
 
   Vec3d centre_;
   double half_width_, half_depth_;
   std::vector<std::optional<Vec3d>> lowest_;  // [sectors] around the trunk
   std::vector<double> curve_;                 // coefficients of the smooth curve, m
-  bool rising_ = true;                        // with a rise in front
 };
 
 }  // namespace trunk

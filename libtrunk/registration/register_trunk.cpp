@@ -146,7 +146,8 @@ std::optional<InsertionLine> insertion_on(const MeasuredSurface& diaphragm, cons
   if (border == LowerBorder::cut) return std::nullopt;
   constexpr std::size_t points = 20000;
   std::vector<Vec3d> all = spread_over(diaphragm.points, diaphragm.triangles, points);
-  all.insert(all.end(), diaphragm.points.begin(), diaphragm.points.end());
+  for (const Triangle& t : diaphragm.triangles)
+    for (int i : t) all.push_back(diaphragm.points[index(i)]);
   const auto& ring = placed.named("costal_insertion");
   Vec3d low(HUGE_VAL, HUGE_VAL, HUGE_VAL), high = -1.0 * low;
   for (int i : ring) {

@@ -75,8 +75,8 @@ TEST_CASE("Actuators that turn the whole trunk meet no resistance, others their 
   std::vector<LinearActuator> actuators;
   for (int i = 0; i < 113; i += 4)
     actuators.push_back({{i, i, i}, {1.0, 0.0, 0.0}, rigid(mesh.rest[at(i)]), 500.0});
-  const std::vector<Vec3d> turned = balance.relaxed(mesh.rest, actuators, 60);
-  for (std::size_t i = 0; i < turned.size(); ++i) CHECK(norm(turned[i] - rigid(mesh.rest[i])) < 1e-6);
+  const std::vector<Vec3d> turned = balance.relaxed(mesh.rest, actuators, 200);
+  for (std::size_t i = 0; i < turned.size(); ++i) CHECK(norm(turned[i] - rigid(mesh.rest[i])) < 1e-4);
 
   // One particle drawn apart from the others: shape memory holds against it.
   actuators.assign(1, {{0, 0, 0}, {1.0, 0.0, 0.0}, mesh.rest[0] + Vec3d{0.0, 0.0, -0.05}, 500.0});
@@ -110,7 +110,7 @@ TEST_CASE("The costal insertion is the lower border where that is smooth", "[uni
       line([](double a) { return 0.2 + 0.1 * std::pow(0.5 + 0.5 * std::sin(a), 5.0); });
   CHECK(margin.covered() == 1.0);
   CHECK(margin.beside(front)->z() == Approx(0.3).margin(2 * mm));
-  CHECK(margin.height_beside(front) == Approx(0.3).margin(10 * mm));
+  CHECK(margin.height_beside(front) == Approx(0.3).margin(20 * mm));
   const auto cut_left = [](double a) { return std::cos(a) < -0.5 ? 0.28 : 0.2; };
   const InsertionLine cut = line(cut_left);
   CHECK(cut.covered() == Approx(2.0 / 3.0).margin(0.03));
@@ -135,7 +135,7 @@ TEST_CASE("A known subject is found again, noisy and with a third of the surface
     Random random(11);
     const Vec3d dome = subject.truth[at(subject.trunk.named("dome_top_left").front())];
     const double missing = keep(subject.diaphragm, [&](const Vec3d& p) {
-      return c.hole ? norm(p - dome) > 0.105 * c.scale : random.unit() > 0.3;
+      return c.hole ? norm(p - dome) > 0.115 * c.scale : random.unit() > 0.3;
     });
     CAPTURE(c.scale, c.turn_degrees, missing);
     CHECK(missing > 0.2);
@@ -154,30 +154,35 @@ TEST_CASE("A known subject is found again, noisy and with a third of the surface
 
 TEST_CASE("Volume, length and landmarks are what was asked for; the same comes out again",
           "[slow][regression][registration]") {
-  const KnownSubject subject = known_subject({2, 1.0, 0.0, 2});
+  const KnownSubject subject = known_subject({1, 1.0, 0.0, 3});
+  const Registration plain = registered(subject);
+  const Vec3d dome = mean_of(plain.mesh, "dome_top_right"), place = dome + Vec3d{0.0, 0.01, 0.0};
   SubjectTargets targets;
   targets.diaphragm = subject.diaphragm;
   targets.lung_volume = 4000e-6;
   targets.apposition_length = 0.12;
+  targets.landmarks["dome_top_right"] = place;
   const Registration found = registered(subject, targets), again = registered(subject, targets);
   require_a_trunk(found, subject.trunk);
   CHECK(found.final.lung == Approx(4000e-6).epsilon(1e-9));
-  CHECK(found.apposition_length == Approx(0.12).margin(3 * mm));
-  CHECK(registered(subject).apposition_length > 0.14);
-  CHECK(errors_of(subject, found).surface.rms < 2 * mm);
+  CHECK(plain.apposition_length > 0.14);
+  CHECK(found.apposition_length == Approx(0.12).margin(4 * mm));
+  CHECK(norm(mean_of(found.mesh, "dome_top_right") - place) < 0.6 * norm(dome - place));
+  CHECK(errors_of(subject, found).surface.rms < 4 * mm);
   for (std::size_t i = 0; i < found.mesh.rest.size(); ++i) {
-    CHECK(found.mesh.rest[i].x() == again.mesh.rest[i].x());
-    CHECK(found.mesh.rest[i].z() == again.mesh.rest[i].z());
+    const Vec3d &a = found.mesh.rest[i], &b = again.mesh.rest[i];
+    CHECK((a.x() == b.x() && a.y() == b.y() && a.z() == b.z()));
   }
   CHECK(mean_of(found.mesh, "dome_top_left").x() < mean_of(found.mesh, "dome_top_right").x());
+}
 
-  SubjectTargets marked;
-  marked.diaphragm = subject.diaphragm;
-  const Vec3d place = mean_of(registered(subject).mesh, "dome_top_right") + Vec3d{0.0, 0.01, 0.0};
-  marked.landmarks["dome_top_right"] = place;
-  const Vec3d without = mean_of(registered(subject).mesh, "dome_top_right"),
-              with = mean_of(registered(subject, marked).mesh, "dome_top_right");
-  CHECK(norm(with - place) < 0.6 * norm(without - place));
+TEST_CASE("A finer trunk is registered as well", "[slow][regression][registration]") {
+  KnownSubject subject = known_subject({2, 1.1, 15.0, 2});
+  add_noise(subject.diaphragm, 2 * mm);
+  const Registration found = registered(subject);
+  require_a_trunk(found, subject.trunk);
+  CHECK(found.mesh.rest.size() == 455);
+  CHECK(errors_of(subject, found).surface.rms < 2 * mm);
 }
 
 TEST_CASE("What no data show is carried along and said", "[regression][registration]") {
