@@ -55,11 +55,11 @@ double sum(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0);
 }
 
-/// Least squares with the weights of Geman and McClure, whose reach shrinks to twice the scatter. A gap in
-/// the data only raises their lowest points: what lies below the curve keeps its weight.
+/// Least squares with Tukey's weights, whose reach shrinks to four times the scatter. A gap in the data only
+/// raises their lowest points: what lies below the curve keeps its weight.
 Curve fitted_curve(const std::vector<Low>& points, std::vector<double> weight, bool rising) {
   constexpr int rounds = 40;
-  constexpr double least_scatter = 4e-3, most_scatter = 8e-3, widest_reach = 0.03, shrink = 0.9,
+  constexpr double least_scatter = 4e-3, most_scatter = 8e-3, widest_reach = 0.06, shrink = 0.9,
                    flatness = 0.01;
   Curve curve;
   curve.off.resize(points.size());
@@ -81,8 +81,8 @@ Curve fitted_curve(const std::vector<Low>& points, std::vector<double> weight, b
     }
     scatter = std::clamp(1.4826 * median(curve.off), least_scatter, most_scatter);
     for (std::size_t i = 0; i < points.size(); ++i) {
-      const double scaled = std::max(0.0, above[i]) / std::max(2.0 * scatter, reach);
-      weight[i] = 1.0 / ((1.0 + scaled * scaled) * (1.0 + scaled * scaled));
+      const double scaled = std::clamp(above[i] / std::max(gap * scatter, reach), 0.0, 1.0);
+      weight[i] = (1.0 - scaled * scaled) * (1.0 - scaled * scaled);
     }
   }
   for (double& distance : curve.off) distance /= scatter;
@@ -150,14 +150,14 @@ double InsertionLine::covered() const {
   return static_cast<double>(there) / sector_count;
 }
 
-double InsertionLine::mean_height() const {
-  double sum = 0.0, count = 0.0;
+double InsertionLine::low_height() const {
+  std::vector<double> heights;
   for (const auto& p : lowest_)
-    if (p) {
-      sum += p->z();
-      ++count;
-    }
-  return count > 0.0 ? sum / count : 0.0;
+    if (p) heights.push_back(p->z());
+  if (heights.empty()) return 0.0;
+  const auto quarter = heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 4);
+  std::nth_element(heights.begin(), quarter, heights.end());
+  return *quarter;
 }
 
 }  // namespace trunk

@@ -11,7 +11,9 @@ namespace trunk {
 /// What the lower border of a measured diaphragm is.
 ///  - insertion: where the diaphragm inserts on the ribs.
 ///  - cut: where the data end; the diaphragm goes on below.
-///  - automatic: the first where that line reaches the lower half of the aligned trunk's zone of apposition.
+///  - automatic: the first where that line goes around and its lower quarter is in the lower half of the
+///  aligned
+///    trunk's zone of apposition.
 enum class LowerBorder { automatic, insertion, cut };
 
 /// The line around the trunk along which a measured diaphragm ends below: its lowest points by the angle
@@ -33,8 +35,8 @@ class InsertionLine {
   /// Height of the smooth curve at that angle, m; across gaps too.
   double height_beside(const Vec3d& particle) const;
 
-  double covered() const;      ///< part of the way around, 0 to 1
-  double mean_height() const;  ///< m; of what is covered
+  double covered() const;     ///< part of the way around, 0 to 1
+  double low_height() const;  ///< m; a quarter of what is covered is lower
 
  private:
   double turns(const Vec3d& p) const;  // 0 to 1

@@ -158,7 +158,7 @@ std::optional<InsertionLine> insertion_on(const MeasuredSurface& diaphragm, cons
   const double zone = mean_apposition_length(placed);
   InsertionLine line(all, 0.5 * (low + high), 0.5 * (high.x() - low.x()), 0.5 * (high.y() - low.y()), zone);
   const double costal = 0.5 * (low.z() + high.z());
-  if (border == LowerBorder::automatic && !(line.covered() > 0.5 && line.mean_height() < costal + 0.5 * zone))
+  if (border == LowerBorder::automatic && !(line.covered() > 0.5 && line.low_height() < costal + 0.5 * zone))
     return std::nullopt;
   return line;
 }

@@ -105,7 +105,7 @@ TEST_CASE("The costal insertion is the lower border where that is smooth", "[uni
   };
   const InsertionLine flat = line([](double) { return 0.2; });
   CHECK(flat.covered() == 1.0);
-  CHECK(flat.mean_height() == Approx(0.2));
+  CHECK(flat.low_height() == Approx(0.2));
   const InsertionLine margin =
       line([](double a) { return 0.2 + 0.1 * std::pow(0.5 + 0.5 * std::sin(a), 5.0); });
   CHECK(margin.covered() == 1.0);
