@@ -69,11 +69,12 @@ class SubjectReader {
   }
 
   const std::vector<fs::path>& files() const { return files_; }
+  const std::vector<std::string>& notes() const { return notes_; }
 
  private:
   MeasuredSurface surface(const std::string& file) {
     SurfaceFile read = read_surface(file, request_.file);
-    for (const std::string& note : read.notes) print_note("note: " + file + ": " + note);
+    for (const std::string& note : read.notes) notes_.push_back(file + ": " + note);
     files_.push_back(file);
     const double metres = read.unit == "m" ? 1.0 : read.unit == "cm" ? 1e-2 : 1e-3;
     if (!frame_) frame_ = {metres, Axes(read.axes)};
@@ -83,6 +84,7 @@ class SubjectReader {
   const RegisterRequest& request_;
   SubjectTargets targets_;
   std::vector<fs::path> files_;
+  std::vector<std::string> notes_;
   std::optional<FileFrame> frame_;
 };
 
@@ -144,8 +146,10 @@ Exit register_command(const Common& common, RegisterRequest request) {
   require_anatomy(found.mesh);
   replace_file(pml, trunk_pml(found.mesh, found.mesh.given, scenario.scenario.rigid, pml.stem().string()));
   replace_file(toml, subject_toml(request.scenario, pml));
+  for (const std::string& note : reader.notes()) print_note("note: " + note);
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
   Json json = registration_json(found, verdict);
+  json["notes"] = reader.notes();
   json["wall_s"] = wall.count();
   json["files"] = {pml.string(), toml.string()};
   print_result(common, json,
