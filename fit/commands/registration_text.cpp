@@ -10,7 +10,9 @@ namespace {
 
 constexpr double millimetre = 1e-3, millilitre = 1e-6, one_degree = std::numbers::pi / 180.0;
 
-Json distances_json(const Distances& d) {
+Json distances_json(const std::optional<Distances>& found) {
+  if (!found) return nullptr;
+  const Distances& d = *found;
   return {{"rms_mm", d.rms / millimetre},
           {"median_mm", d.median / millimetre},
           {"p95_mm", d.percentile95 / millimetre},
@@ -18,9 +20,10 @@ Json distances_json(const Distances& d) {
 }
 
 std::string fit_row(const RegionFit& fit) {
-  const auto numbers = [](const Distances& d) {
-    return fmt::format(" {:>7.2f} {:>7.2f} {:>7.2f} {:>7.2f} |", d.rms / millimetre, d.median / millimetre,
-                       d.percentile95 / millimetre, d.hausdorff / millimetre);
+  const auto numbers = [](const std::optional<Distances>& d) {
+    if (!d) return fmt::format(" {:>31} |", "");
+    return fmt::format(" {:>7.2f} {:>7.2f} {:>7.2f} {:>7.2f} |", d->rms / millimetre, d->median / millimetre,
+                       d->percentile95 / millimetre, d->hausdorff / millimetre);
   };
   return fmt::format("{:<30}{}{} {:>6.0f} %\n", fit.target + (fit.region == "all" ? "" : ", " + fit.region),
                      numbers(fit.to_target), numbers(fit.from_target), 100.0 * fit.with_data);
@@ -40,16 +43,15 @@ RegistrationVerdict verdict_of(const Registration& found, double tolerance) {
                                         "another --lower-border, a landmark or a cleaner surface may help",
                                         found.quality.folded, found.quality.smallest_angle / one_degree)};
   for (const RegionFit& fit : found.fits) {
-    if (fit.region != "all") continue;
-    for (const Distances& d : {fit.to_target, fit.from_target})
-      if (!(d.rms <= tolerance && d.percentile95 <= 2.0 * tolerance))
-        return {
-            "beyond_tolerance",
-            fmt::format(
-                "the trunk is {:.1f} mm (RMS; 95th percentile {:.1f}) from the {}; expected at most {:g} and "
-                "{:g}: is it in these axes and this unit, and is it the whole of it?",
-                d.rms / millimetre, d.percentile95 / millimetre, fit.target, tolerance / millimetre,
-                2.0 * tolerance / millimetre)};
+    if (fit.region != "all") continue;  // each target as a whole
+    for (const std::optional<Distances>& d : {fit.to_target, fit.from_target})
+      if (d && !(d->rms <= tolerance && d->percentile95 <= 2.0 * tolerance))
+        return {"beyond_tolerance",
+                fmt::format(
+                    "the trunk is {:.1f} mm (RMS; 95th percentile {:.1f}) from the {}; expected at most {:g} "
+                    "and {:g}: is it in these axes and this unit, and is it the whole of it?",
+                    d->rms / millimetre, d->percentile95 / millimetre, fit.target, tolerance / millimetre,
+                    2.0 * tolerance / millimetre)};
   }
   return {"registered", "registered"};
 }

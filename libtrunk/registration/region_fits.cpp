@@ -61,26 +61,39 @@ std::vector<Measured> of_target(const TrunkMesh& mesh, const Attraction& a) {
 }
 
 template <class Wanted>
-Distances distances_of(std::span<const Measured> all, Wanted&& wanted) {
+std::optional<Distances> distances_of(std::span<const Measured> all, Wanted&& wanted) {
   std::vector<double> chosen;
   for (const Measured& m : all)
     if (wanted(m)) chosen.push_back(m.distance);
+  if (chosen.empty()) return std::nullopt;
   return summary_of(std::move(chosen));
 }
 
 }  // namespace
 
 void add_region_fits(const TrunkMesh& mesh, const Attraction& a, std::vector<RegionFit>& fits) {
-  const std::vector<Measured> part = of_part(mesh, a), target = of_target(mesh, a);
+  using Direction = Attraction::Direction;
+  const bool to_part = a.direction != Direction::part_to_target,
+             to_target = a.direction != Direction::target_to_part;
+  const std::vector<Measured> part = of_part(mesh, a),
+                              target = to_part ? of_target(mesh, a) : std::vector<Measured>();
   const auto add = [&](const std::string& name, auto&& belongs) {
     const auto in_region = [&](const Measured& m) { return belongs(m.particle); };
     const auto with_data = [&](const Measured& m) { return m.with_data && belongs(m.particle); };
     const auto samples = std::count_if(part.begin(), part.end(), in_region);
     if (samples == 0) return;
     const auto shown = std::count_if(part.begin(), part.end(), with_data);
-    fits.push_back({a.target->name, name, distances_of(part, with_data), distances_of(part, in_region),
-                    distances_of(target, with_data),
-                    static_cast<double>(shown) / static_cast<double>(samples)});
+    RegionFit fit{a.target->name,
+                  name,
+                  {},
+                  {},
+                  distances_of(target, with_data),
+                  static_cast<double>(shown) / static_cast<double>(samples)};
+    if (to_target) {
+      fit.to_target = distances_of(part, with_data);
+      fit.to_target_all = distances_of(part, in_region);
+    }
+    fits.push_back(std::move(fit));
   };
   add("all", [](int) { return true; });
   for (const auto& [name, particles] : mesh.regions) {

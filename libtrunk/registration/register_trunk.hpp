@@ -20,13 +20,13 @@ struct SubjectTargets {
   LowerBorder lower_border = LowerBorder::automatic;
 };
 
-/// How well a region lies on its target.
+/// How well a region lies on its target. None where the matching draws the other way only, or has nothing.
 struct RegionFit {
   std::string target, region;
-  Distances to_target;      // of the region's surface, where the target has data
-  Distances to_target_all;  // of all of it, also what lies beyond the border of an open target
-  Distances from_target;    // of the part of the target that is closest to the region
-  double with_data = 0.0;   // part of the region's area that has data, 0 to 1
+  std::optional<Distances> to_target;      // of the region's surface, where the target has data
+  std::optional<Distances> to_target_all;  // of all of it, also what lies beyond the border of an open target
+  std::optional<Distances> from_target;    // of the part of the target that is closest to the region
+  double with_data = 0.0;                  // part of the region's area that has data, 0 to 1
 };
 
 /// Lung and abdomen, m3.

@@ -30,7 +30,7 @@ std::vector<Triangle> diaphragm_of(const TrunkMesh& mesh) {
 }
 
 std::vector<Triangle> abdominal_wall_of(const TrunkMesh& mesh) {
-  std::vector<Triangle> wall = between(mesh, mesh.abdomen, {"pelvis", "abdominal_wall", "costal_insertion"});
+  std::vector<Triangle> wall = between(mesh, mesh.abdomen, {"pelvis", "abdominal_wall"});
   std::set<int> pelvis(mesh.named("pelvis").begin(), mesh.named("pelvis").end());
   std::erase_if(wall, [&](const Triangle& t) {
     return std::all_of(t.begin(), t.end(), [&](int i) { return pelvis.contains(i); });

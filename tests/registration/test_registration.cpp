@@ -147,8 +147,8 @@ TEST_CASE("A known subject is found again, noisy and with a third of the surface
     CHECK(errors.point.rms < 6 * mm);  // along a smooth surface only its shape and border tell
     CHECK(found.alignment.similarity.scale == Approx(c.scale).epsilon(0.05));
     CHECK(found.alignment.similarity.angle() == Approx(std::abs(c.turn_degrees) * degree).margin(4 * degree));
-    CHECK(found.fits.front().to_target.rms < 2 * mm);
-    CHECK(found.fits.front().from_target.rms < 2 * mm);
+    CHECK(found.fits.front().to_target->rms < 2 * mm);
+    CHECK(found.fits.front().from_target->rms < 2 * mm);
   }
 }
 
@@ -166,6 +166,9 @@ TEST_CASE("Volume, length and landmarks are what was asked for; the same comes o
   require_a_trunk(found, subject.trunk);
   CHECK(found.final.lung == Approx(4000e-6).epsilon(1e-9));
   CHECK(plain.apposition_length > 0.14);
+  CHECK(plain.extrapolated == std::vector<std::string>{"abdominal_wall", "lung_top", "lung_wall", "pelvis"});
+  CHECK(plain.particles_without_data == 58);
+  CHECK(plain.insertion_covered > 0.95);
   CHECK(found.apposition_length == Approx(0.12).margin(4 * mm));
   CHECK(norm(mean_of(found.mesh, "dome_top_right") - place) < 0.6 * norm(dome - place));
   CHECK(errors_of(subject, found).surface.rms < 4 * mm);
@@ -185,31 +188,31 @@ TEST_CASE("A finer trunk is registered as well", "[slow][regression][registratio
   CHECK(errors_of(subject, found).surface.rms < 2 * mm);
 }
 
-TEST_CASE("What no data show is carried along and said", "[regression][registration]") {
+TEST_CASE("What no data show is carried along and said", "[slow][regression][registration]") {
   KnownSubject subject = known_subject({1, 1.0, 0.0, 4});
-  const Registration whole = registered(subject);
-  CHECK(whole.extrapolated == std::vector<std::string>{"abdominal_wall", "lung_top", "lung_wall", "pelvis"});
-  CHECK(whole.insertion_covered > 0.95);
-  keep(subject.diaphragm, [](const Vec3d& p) { return p.z() > 0.36 + 0.1; });  // the shift of the subject
+  keep(subject.diaphragm, [](const Vec3d& p) { return p.z() > 0.46; });  // 0.36 of the trunk
   SubjectTargets targets;
   targets.diaphragm = subject.diaphragm;
   targets.lower_border = LowerBorder::cut;
   const Registration dome = registered(subject, targets);
   CHECK(dome.insertion_covered == 0.0);
-  CHECK(dome.extrapolated.size() > whole.extrapolated.size());
-  CHECK(dome.particles_without_data > whole.particles_without_data);
-  for (const RegionFit& fit : dome.fits) CHECK(fit.to_target.rms <= fit.to_target_all.rms + 1e-12);
+  CHECK(dome.extrapolated ==
+        std::vector<std::string>{"abdominal_wall", "costal_insertion", "lung_top", "lung_wall", "pelvis"});
+  CHECK(dome.particles_without_data > 58 + 6);
+  CHECK(dome.fits.front().with_data < 0.9);
+  for (const RegionFit& fit : dome.fits)
+    if (fit.to_target) CHECK(fit.to_target->rms <= fit.to_target_all->rms + 1e-12);
 }
 
-TEST_CASE("Closed lungs draw the domes and the lung's wall", "[regression][registration]") {
+TEST_CASE("Closed lungs draw the domes and the lung's wall", "[slow][regression][registration]") {
   const KnownSubject subject = known_subject({1, 1.05, 10.0, 4});
   SubjectTargets targets;
   targets.lungs.push_back(refined(subject.truth, subject.trunk.lung, 4));
   const Registration found = register_trunk(subject.trunk, targets, [](int, int) {});
   require_a_trunk(found, subject.trunk);
   CHECK(found.fits.front().target == "lungs");
-  CHECK(found.fits.front().to_target.rms < 3 * mm);
-  CHECK(found.fits.front().from_target.rms < 3 * mm);
+  CHECK(found.fits.front().to_target->rms < 3 * mm);
+  CHECK(found.fits.front().from_target->rms < 3 * mm);
   const double truth = enclosed_volume<double>(subject.trunk.lung, subject.truth);
   CHECK(found.final.lung == Approx(truth).epsilon(0.03));
 }
@@ -225,7 +228,4 @@ TEST_CASE("Targets that cannot be used are refused in words", "[unit][registrati
   targets.landmarks.clear();
   targets.landmarks["fixed"] = {};
   CHECK_THROWS_WITH(registered(subject, targets), Contains("'fixed'"));
-  targets.landmarks.clear();
-  targets.lung_volume = 200e-6;
-  CHECK_THROWS_WITH(registered(subject, targets), Contains("200 ml") && Contains("no room"));
 }
