@@ -98,6 +98,21 @@ TEST_CASE("The border of an open surface is known", "[unit][registration]") {
   CHECK_FALSE(target.on_border(target.closest({0.5, 0.5, 1.0})));  // on the diagonal, which two share
 }
 
+TEST_CASE("Triangles that folded or shrank to slivers are seen", "[unit][registration]") {
+  const TrunkMesh mesh = make_template_mesh({});
+  CHECK(mesh_quality(mesh, mesh.rest).sound());
+  CHECK(mesh_quality(mesh, mesh.rest).smallest_angle > 15 * degree);
+  const std::size_t saddle = at(mesh.named("dome_saddle").front()),
+                    beside = at(mesh.named("dome_top_left").front());
+  std::vector<Vec3d> folded = mesh.rest, sliver = mesh.rest;
+  folded[saddle] += 1.6 * (mesh.rest[beside] - mesh.rest[saddle]);
+  CHECK(mesh_quality(mesh, folded).folded > 0);
+  CHECK_FALSE(mesh_quality(mesh, folded).sound());
+  sliver[saddle] += 0.9999 * (mesh.rest[beside] - mesh.rest[saddle]);
+  CHECK(mesh_quality(mesh, sliver).smallest_angle < 0.5 * degree);
+  CHECK_FALSE(mesh_quality(mesh, sliver).sound());
+}
+
 TEST_CASE("The costal insertion is the lower border where that is smooth", "[unit][registration]") {
   const Vec3d centre{0.0, 0.0, 0.2}, right{0.15, 0.0, 0.0}, front{0.0, 0.1, 0.0}, left{-0.15, 0.0, 0.0};
   const auto line = [&](double (*height)(double)) {
