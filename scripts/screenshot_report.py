@@ -25,7 +25,8 @@ def main():
     parser.add_argument("--height", type=int, default=900)
     parser.add_argument("--dark", action="store_true")
     parser.add_argument("--whole", action="store_true", help="the whole page, not its beginning alone")
-    parser.add_argument("--colour-by", choices=("anatomy", "distance", "rise"), default="anatomy")
+    parser.add_argument("--colour-by", choices=("anatomy", "distance", "rise", "side"),
+                        help="as the page opens, where it is not given")
     arguments = parser.parse_args()
     if browser.MISSING:
         parser.error(f"no browser: {browser.MISSING}")
@@ -33,7 +34,7 @@ def main():
     try:
         window.open(arguments.page)
         window.run("""const select = document.querySelector('select[aria-label="colour by"]');
-                      if (select) { select.value = arguments[0]; select.dispatchEvent(new Event('change')); }""",
+                      if (select && arguments[0]) { select.value = arguments[0]; select.dispatchEvent(new Event('change')); }""",
                    arguments.colour_by)
         window.driver.execute_async_script("requestAnimationFrame(() => requestAnimationFrame(arguments[0]))")
         window.screenshot(arguments.output, arguments.whole)

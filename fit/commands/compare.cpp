@@ -7,9 +7,7 @@
 #include "errors/input_error.hpp"
 #include "exports/csv_table.hpp"
 #include "exports/vtk_files.hpp"
-#include "results/read_records.hpp"
 #include "results/target_file.hpp"
-#include "shape/compare_shape.hpp"
 
 namespace trunk {
 namespace {
@@ -19,10 +17,8 @@ constexpr const char* sign_of_distance =
     "positive: the model lies on the side that the surface faces, above a diaphragm, outside a closed "
     "surface";
 
-struct CompareRequest {
-  std::string run, surface, at = "peak", region = "diaphragm", output;
-  SurfaceOptions options;
-  bool align = false;
+struct CompareRequest : SurfaceRequest {
+  std::string run, output;
 };
 
 Json distances_json(const Distances& d) {
@@ -38,8 +34,26 @@ std::vector<double> in_mm(std::vector<double> metres) {
   return metres;
 }
 
-Json compare_json(const CompareRequest& request, const RunRegion& region, const SurfaceFile& file,
-                  const ShapeComparison& c) {
+Json repairs_json(const RepairReport& r) {
+  return {{"points_merged", r.merged_points},
+          {"points_isolated", r.isolated_points},
+          {"triangles_degenerate", r.degenerate},
+          {"triangles_twice", r.duplicates},
+          {"triangles_turned", r.turned},
+          {"slivers", r.slivers},
+          {"specks", r.specks},
+          {"sheet_triangles", r.sheet_triangles},
+          {"sheet_thickness_mm", mm_per_m * r.sheet_thickness},
+          {"pieces", r.pieces},
+          {"borders", r.borders},
+          {"branching_edges", r.branching_edges},
+          {"closed", r.closed()},
+          {"oriented", r.oriented}};
+}
+
+Json compare_json(const CompareRequest& request, const SurfaceAnswer& answer) {
+  const auto& [file, beside] = answer;
+  const auto& [surface, region, c] = beside;
   Json json{{"schema", "trunk.compare/1"},
             {"run", request.run},
             {"surface", request.surface},
@@ -59,7 +73,8 @@ Json compare_json(const CompareRequest& request, const RunRegion& region, const 
             {"particles", region.particles},
             {"signed_distance_mm", in_mm(c.side)},
             {"at_border", c.at_border},
-            {"surface_triangles", file.surface.triangles.size()},
+            {"surface_triangles", surface.triangles.size()},
+            {"repairs", repairs_json(file.repaired)},
             {"notes", file.notes}};
   if (request.align)
     json["aligned"] = {
@@ -126,18 +141,13 @@ void prepare_output(const Common& common, const CompareRequest& request) {
 
 Exit compare_command(const Common& common, const CompareRequest& request) {
   prepare_output(common, request);
-  const SurfaceFile file = read_surface(request.surface, request.options);
-  const RunRecord run = read_run(request.run);
-  const RunRegion region = region_at(request.region, moment_of(request.at, run.trajectory, request.run),
-                                     run.trajectory, request.run);
-  for (const std::string& note : file.notes) print_note("note: " + request.surface + ": " + note);
-  const ShapeComparison comparison = compare_shape(region, file.surface, request.align);
+  const SurfaceAnswer answer = compared(request, request.run);
+  const auto& [surface, region, comparison] = answer.beside;
   if (!request.output.empty()) {
     const std::string map = map_text(request.output, region, comparison);
     replace_file(request.output, std::as_bytes(std::span(map)));
   }
-  print_result(common, compare_json(request, region, file, comparison),
-               compare_table(request, region, comparison));
+  print_result(common, compare_json(request, answer), compare_table(request, region, comparison));
   return Exit::done;
 }
 
@@ -147,13 +157,7 @@ void add_compare(CLI::App& app, Common& common, Run& run) {
   auto* command = app.add_subcommand("compare", "Hold the shape of a run against a measured surface");
   const auto request = std::make_shared<CompareRequest>();
   command->add_option("RUN", request->run, "run or fit (HDF5); of a fit its best run")->required();
-  command->add_option("--surface", request->surface, "surface (STL, OBJ, PLY, VTK, VTP or PML)")->required();
-  command->add_option("--at", request->at, "peak (largest lung volume), start, end, or seconds [peak]");
-  command->add_option(
-      "--region", request->region,
-      "diaphragm, lung, abdomen, skin, or a region of the run such as central_tendon [diaphragm]");
-  add_surface_options(*command, request->options);
-  command->add_flag("--align", request->align, "first move the surface rigidly onto the region");
+  add_surface_request(*command, *request)->required();
   command->add_option("-o,--output", request->output,
                       "signed distance of each particle: a table (.csv) or surface (.vtp)");
   command->add_flag("--json", common.json, "print one JSON object");

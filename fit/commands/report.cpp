@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
 #include "commands/commands.hpp"
+#include "commands/surface_options.hpp"
+#include "errors/input_error.hpp"
 #include "report/page.hpp"
 #include "results/target_file.hpp"
 
@@ -10,13 +12,22 @@ namespace {
 struct ReportRequest {
   std::vector<std::string> files;
   std::string output;
+  SurfaceRequest beside;
 };
 
 Exit report_command(const Common& common, const ReportRequest& request) {
   const std::vector<std::filesystem::path> files(request.files.begin(), request.files.end());
   require_apart(files, {request.output});
   require_writable_target(request.output, common.force);
-  const std::string page = report_page(files);
+  std::optional<SurfaceBeside> beside;
+  if (!request.beside.surface.empty()) {
+    require_apart({request.beside.surface}, {request.output});
+    if (files.size() > 1)
+      throw InputError(request.files[1], 0,
+                       "is a second file, expected one run or fit beside --surface; leave it out");
+    beside = compared(request.beside, request.files[0]).beside;
+  }
+  const std::string page = report_page(files, beside);
   replace_file(request.output, std::as_bytes(std::span(page)));
   print_result(common, {{"schema", "trunk.report/1"}, {"file", request.output}, {"bytes", page.size()}},
                fmt::format("Written to {} ({:.2f} MB): open it in a browser", request.output,
@@ -37,6 +48,9 @@ void add_report(CLI::App& app, Common& common, Run& run) {
       ->expected(1, 2);
   command->add_option("-o,--output", request->output, "page (HTML); it needs no network and no other file")
       ->required();
+  auto* surface = add_surface_request(*command, request->beside);
+  for (const char* option : {"--at", "--region", "--align", "--surface-unit", "--axes", "--component"})
+    command->get_option(option)->needs(surface);
   command->add_flag("--json", common.json, "print one JSON object");
   command->add_flag("--force", common.force, "replace the page if it exists");
   command->callback(

@@ -4,6 +4,7 @@
 
 #include "errors/input_error.hpp"
 #include "report/contents.hpp"
+#include "report/surface_contents.hpp"
 
 // The page as scripts/build_report_page makes it, in the program itself: it needs no file beside it.
 asm(R"(
@@ -40,12 +41,17 @@ void require_side_by_side(const Packed::Json& files) {
 
 }  // namespace
 
-std::string report_page(const std::vector<std::filesystem::path>& files) {
+std::string report_page(const std::vector<std::filesystem::path>& files,
+                        const std::optional<SurfaceBeside>& beside) {
   Packed packed;
   Packed::Json contents = Packed::Json::array();
   for (const auto& file : files)
     contents.push_back(file_contents(file, trajectory_bytes / files.size(), packed));
   require_side_by_side(contents);
+  if (beside) {
+    Packed::Json& run = contents[0]["run"];
+    run["surface"] = surface_contents(*beside, run["trajectory"]["particles"].get<std::size_t>(), packed);
+  }
   constexpr std::string_view place = "<!-- the data -->";
   const std::string_view page(trunk_report_page,
                               static_cast<std::size_t>(trunk_report_page_end - trunk_report_page));

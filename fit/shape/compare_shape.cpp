@@ -29,7 +29,7 @@ void compare_region(const RunRegion& region, const SignedDistance& to, ShapeComp
 
 }  // namespace
 
-ShapeComparison compare_shape(const RunRegion& region, MeasuredSurface surface, bool align) {
+ShapeComparison compare_shape(const RunRegion& region, MeasuredSurface& surface, bool align) {
   ShapeComparison result;
   const ClosestPoints to_region(region.points, region.triangles);
   if (align) {

@@ -20,6 +20,13 @@ struct ShapeComparison {
 
 /// Signed distances of the particles, and distances both ways from 20,000 samples spread over the area of
 /// each; the surface faces up or outward. With `align` the surface is first moved rigidly onto the region.
-ShapeComparison compare_shape(const RunRegion& region, MeasuredSurface surface, bool align);
+ShapeComparison compare_shape(const RunRegion& region, MeasuredSurface& surface, bool align);
+
+/// A surface where it was compared, what it was compared with, and the outcome.
+struct SurfaceBeside {
+  MeasuredSurface surface;
+  RunRegion region;
+  ShapeComparison comparison;
+};
 
 }  // namespace trunk

@@ -79,6 +79,10 @@ Axes chosen_axes(SurfaceFile& result, const SurfaceOptions& options, const std::
     result.notes.push_back("axes " + said_by_file + ", as the file says");
     return Axes(said_by_file);
   }
+  if (!options.axes_of_others.empty()) {
+    result.notes.push_back("axes " + options.axes_of_others + ", as of the subject's other surface");
+    return Axes(options.axes_of_others);
+  }
   if (const auto guess = guess_axes(result.surface)) {
     result.notes.push_back("axes guessed as " + guess->axes.letters() + ": " + guess->reasons +
                            "; --axes says otherwise");

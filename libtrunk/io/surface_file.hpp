@@ -10,9 +10,10 @@ namespace trunk {
 
 /// What a user says of a surface in a file; empty: the file says it, or it is guessed.
 struct SurfaceOptions {
-  std::string unit;       // mm, cm or m
-  std::string axes;       // as Axes takes them
-  std::string component;  // name of the one part to read: of PML, OBJ or STL
+  std::string unit;            // mm, cm or m
+  std::string axes;            // as Axes takes them
+  std::string component;       // name of the one part to read: of PML, OBJ or STL
+  std::string axes_of_others;  // of the subject's other surfaces: taken rather than guessed
 };
 
 /// A measured surface, and what was chosen, repaired and guessed on the way.

@@ -3,100 +3,18 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <map>
-#include <numeric>
 #include <set>
-#include <unordered_map>
 
+#include "surface/facets.hpp"
+#include "surface/merge_points.hpp"
+#include "surface/sets.hpp"
 #include "surface/sheets.hpp"
 
 namespace trunk {
 namespace {
 
 constexpr double merge_tolerance = 1e-5;  // of the largest extent
-
-const Vec3d& at(const std::vector<Vec3d>& points, int i) {
-  return points[static_cast<std::size_t>(i)];
-}
-
-Vec3d area_vector(const std::vector<Vec3d>& points, const Triangle& t) {
-  return 0.5 * cross(at(points, t[1]) - at(points, t[0]), at(points, t[2]) - at(points, t[0]));
-}
-
-Vec3d centre_of(const std::vector<Vec3d>& points, const Triangle& t) {
-  return (1.0 / 3.0) * (at(points, t[0]) + at(points, t[1]) + at(points, t[2]));
-}
-
-/// Union of sets, by halving paths.
-class Sets {
- public:
-  explicit Sets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
-  int find(int i) {
-    for (auto* p = &parent_[static_cast<std::size_t>(i)]; *p != i; p = &parent_[static_cast<std::size_t>(i)])
-      i = *p = parent_[static_cast<std::size_t>(*p)];
-    return i;
-  }
-  void join(int a, int b) { parent_[static_cast<std::size_t>(find(a))] = find(b); }
-
- private:
-  std::vector<int> parent_;
-};
-
-/// Renumbers sets from 0 in the order in which they come.
-class Numbering {
- public:
-  int operator()(int set) {
-    return numbers_.try_emplace(set, static_cast<int>(numbers_.size())).first->second;
-  }
-
- private:
-  std::unordered_map<int, int> numbers_;
-};
-
-/// Points in cubes of eight tolerances: a near one is in the same cube, or across the face that is near.
-class NearPoints {
- public:
-  explicit NearPoints(double tolerance) : tolerance_(tolerance) {}
-
-  /// An earlier point within the tolerance, or -1; then this one is kept as `index`.
-  int find_or_add(const std::vector<Vec3d>& points, int index) {
-    const Vec3d& p = at(points, index);
-    const double edge = 8.0 * tolerance_;
-    std::array<std::array<std::int64_t, 2>, 3> cells;
-    const std::array<double, 3> x{p.x() / edge, p.y() / edge, p.z() / edge};
-    for (std::size_t i = 0; i < 3; ++i) {
-      const double cell = std::floor(x[i]), within = x[i] - cell;
-      cells[i][0] = static_cast<std::int64_t>(cell);
-      cells[i][1] = cells[i][0] + (within < 0.125 ? -1 : within > 0.875 ? 1 : 0);
-    }
-    for (std::size_t corner = 0; corner < 8; ++corner) {
-      bool repeated = false;
-      std::array<std::int64_t, 3> cell;
-      for (std::size_t i = 0; i < 3; ++i) {
-        const std::size_t which = corner >> i & 1;
-        repeated = repeated || (which == 1 && cells[i][1] == cells[i][0]);
-        cell[i] = cells[i][which];
-      }
-      if (repeated) continue;
-      const auto [begin, end] = cells_.equal_range(key(cell));
-      for (auto known = begin; known != end; ++known)
-        if (norm(at(points, known->second) - p) <= tolerance_) return known->second;
-    }
-    cells_.emplace(key({cells[0][0], cells[1][0], cells[2][0]}), index);
-    return -1;
-  }
-
- private:
-  static std::uint64_t key(const std::array<std::int64_t, 3>& cell) {
-    std::uint64_t hash = 0;
-    for (const std::int64_t i : cell) hash = (hash ^ static_cast<std::uint64_t>(i)) * 0x9E3779B97F4A7C15u;
-    return hash;
-  }
-
-  double tolerance_;
-  std::unordered_multimap<std::uint64_t, int> cells_;
-};
 
 void drop_unused_points(MeasuredSurface& s, RepairReport& report) {
   std::vector<int> number(s.points.size(), -1);
@@ -106,25 +24,12 @@ void drop_unused_points(MeasuredSurface& s, RepairReport& report) {
       int& n = number[static_cast<std::size_t>(corner)];
       if (n < 0) {
         n = static_cast<int>(kept.size());
-        kept.push_back(at(s.points, corner));
+        kept.push_back(point_of(s.points, corner));
       }
       corner = n;
     }
   report.isolated_points += s.points.size() - kept.size();
   s.points = std::move(kept);
-}
-
-void merge_points(MeasuredSurface& s, RepairReport& report) {
-  const double extent = largest_extent(s);
-  NearPoints near(std::max(merge_tolerance * extent, 1e-300));
-  std::vector<int> same(s.points.size());
-  for (std::size_t i = 0; i < s.points.size(); ++i) {
-    const int index = static_cast<int>(i), earlier = near.find_or_add(s.points, index);
-    same[i] = earlier < 0 ? index : earlier;
-    report.merged_points += earlier >= 0;
-  }
-  for (Triangle& t : s.triangles)
-    for (int& corner : t) corner = same[static_cast<std::size_t>(corner)];
 }
 
 void drop_useless_triangles(MeasuredSurface& s, RepairReport& report) {
@@ -137,7 +42,7 @@ void drop_useless_triangles(MeasuredSurface& s, RepairReport& report) {
     if (!seen.insert(sorted).second) return ++report.duplicates, true;
     double longest = 0.0;
     for (std::size_t i = 0; i < 3; ++i)
-      longest = std::max(longest, norm(at(s.points, t[(i + 1) % 3]) - at(s.points, t[i])));
+      longest = std::max(longest, norm(point_of(s.points, t[(i + 1) % 3]) - point_of(s.points, t[i])));
     report.slivers += 2.0 * norm(area_vector(s.points, t)) < thin * longest;
     return false;
   });
@@ -164,7 +69,7 @@ void drop_specks(MeasuredSurface& s, RepairReport& report) {
   for (std::size_t i = 0; i < part.size(); ++i)
     if (area[part[i]] >= speck * total) kept.push_back(s.triangles[i]);
   s.triangles = std::move(kept);
-  report.specks = specks;
+  report.specks += specks;
 }
 
 using EdgeCounts = std::map<std::pair<int, int>, int>;
@@ -193,19 +98,13 @@ void count_features(const MeasuredSurface& s, RepairReport& report) {
       part.empty() ? 0 : static_cast<std::size_t>(*std::max_element(part.begin(), part.end())) + 1;
 }
 
-/// Positive where a patch faces away from its middle: its volume if it is closed.
-struct Facing {
-  Vec3d weighted_centre, net;
-  double area = 0.0, away = 0.0, reach = 0.0;
-};
-
 }  // namespace
 
 double largest_extent(const MeasuredSurface& s) {
   double low[3] = {HUGE_VAL, HUGE_VAL, HUGE_VAL}, high[3] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
   for (const Triangle& t : s.triangles)
     for (const int corner : t) {
-      const Vec3d& p = at(s.points, corner);
+      const Vec3d& p = point_of(s.points, corner);
       const double x[3] = {p.x(), p.y(), p.z()};
       for (int i = 0; i < 3; ++i) {
         low[i] = std::min(low[i], x[i]);
@@ -229,94 +128,12 @@ double flatness(const MeasuredSurface& s) {
   return values[2] > 0.0 ? std::sqrt(std::max(values[0], 0.0) / values[2]) : 0.0;
 }
 
-std::vector<int> connected_parts(std::span<const Triangle> triangles, std::size_t points) {
-  Sets sets(points);
-  for (const Triangle& t : triangles) {
-    sets.join(t[0], t[1]);
-    sets.join(t[0], t[2]);
-  }
-  Numbering number;
-  std::vector<int> parts;
-  for (const Triangle& t : triangles) parts.push_back(number(sets.find(t[0])));
-  return parts;
-}
-
-Patches orient_patches(std::vector<Triangle>& triangles) {
-  std::map<std::pair<int, int>, std::vector<std::size_t>> sides;
-  for (std::size_t i = 0; i < triangles.size(); ++i)
-    for (std::size_t k = 0; k < 3; ++k)
-      sides[std::minmax(triangles[i][k], triangles[i][(k + 1) % 3])].push_back(i);
-  const auto runs = [](const Triangle& t, int a, int b) {
-    return (t[0] == a && t[1] == b) || (t[1] == a && t[2] == b) || (t[2] == a && t[0] == b);
-  };
-  Patches patches{std::vector<int>(triangles.size(), -1), 0, true};
-  int count = 0;
-  for (std::size_t seed = 0; seed < triangles.size(); ++seed) {
-    if (patches.number[seed] >= 0) continue;
-    std::vector<std::size_t> todo{seed}, members;
-    std::size_t turned = 0;
-    patches.number[seed] = count;
-    while (!todo.empty()) {
-      const std::size_t i = todo.back();
-      todo.pop_back();
-      members.push_back(i);
-      for (std::size_t k = 0; k < 3; ++k) {
-        const int a = triangles[i][k], b = triangles[i][(k + 1) % 3];
-        const auto& pair = sides.at(std::minmax(a, b));
-        if (pair.size() != 2) continue;
-        const std::size_t other = pair[0] == i ? pair[1] : pair[0];
-        const bool agrees = runs(triangles[other], b, a);
-        if (patches.number[other] >= 0) {
-          patches.possible = patches.possible && agrees;
-          continue;
-        }
-        patches.number[other] = count;
-        if (!agrees) {
-          std::swap(triangles[other][1], triangles[other][2]);
-          ++turned;
-        }
-        todo.push_back(other);
-      }
-    }
-    patches.turned += std::min(turned, members.size() - turned);
-    ++count;
-  }
-  return patches;
-}
-
-void face_outward(MeasuredSurface& s) {
-  const Patches patches = orient_patches(s.triangles);
-  std::vector<Facing> facing;
-  for (std::size_t i = 0; i < s.triangles.size(); ++i) {
-    const auto number = static_cast<std::size_t>(patches.number[i]);
-    if (facing.size() <= number) facing.resize(number + 1);
-    const Vec3d normal = area_vector(s.points, s.triangles[i]);
-    facing[number].area += norm(normal);
-    facing[number].net += normal;
-    facing[number].weighted_centre += norm(normal) * centre_of(s.points, s.triangles[i]);
-  }
-  for (std::size_t i = 0; i < s.triangles.size(); ++i) {
-    Facing& f = facing[static_cast<std::size_t>(patches.number[i])];
-    const Vec3d normal = area_vector(s.points, s.triangles[i]);
-    const Vec3d out =
-        centre_of(s.points, s.triangles[i]) - (1.0 / std::max(f.area, 1e-300)) * f.weighted_centre;
-    f.away += dot(normal, out);
-    f.reach += norm(normal) * norm(out);
-  }
-  for (std::size_t i = 0; i < s.triangles.size(); ++i) {
-    const Facing& f = facing[static_cast<std::size_t>(patches.number[i])];
-    constexpr double flat = 0.02;
-    const double out = std::abs(f.away) > flat * f.reach ? f.away : f.net.z();
-    if (out < 0.0) std::swap(s.triangles[i][1], s.triangles[i][2]);
-  }
-}
-
 RepairReport repair(MeasuredSurface& s) {
   RepairReport report;
   report.points_read = s.points.size();
   report.triangles_read = s.triangles.size();
   drop_unused_points(s, report);
-  merge_points(s, report);
+  report.merged_points = merge_points(s, merge_tolerance * largest_extent(s));
   drop_useless_triangles(s, report);
   drop_specks(s, report);
   const Patches patches = orient_patches(s.triangles);

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "surface/measured_surface.hpp"
+#include "surface/orientation.hpp"
 
 namespace trunk {
 
@@ -35,27 +35,11 @@ struct RepairReport {
 /// surface faces away from its middle, see face_outward. (all tolerances: our choice)
 RepairReport repair(MeasuredSurface& surface);
 
-/// Turns each connected part so that a closed one has a positive volume and an open one faces away from its
-/// middle, or upward (+z) where it is too flat to tell.
-void face_outward(MeasuredSurface& surface);
-
 /// The largest extent along an axis of the points in triangles.
 double largest_extent(const MeasuredSurface& surface);
 
 /// The smallest over the largest standard deviation of the points along the axes of their spread: 0 where
 /// all lie in a plane.
 double flatness(const MeasuredSurface& surface);
-
-/// Numbers of the connected parts, one a triangle, from 0: triangles that share a point are connected.
-std::vector<int> connected_parts(std::span<const Triangle> triangles, std::size_t points);
-
-/// Numbers of parts in which each triangle is reached from each through edges of two triangles alone; within
-/// one, triangles are turned until neighbours agree. => how many were turned, -1 where that is impossible
-struct Patches {
-  std::vector<int> number;  // [triangles]
-  std::size_t turned = 0;
-  bool possible = true;
-};
-Patches orient_patches(std::vector<Triangle>& triangles);
 
 }  // namespace trunk

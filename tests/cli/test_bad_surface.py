@@ -88,6 +88,7 @@ class Surfaces(TrunkTest):
                 self.assertEqual(result["unit"], "mm")
                 self.assertEqual(result["surface_triangles"], len(TRIANGLES))
                 self.assertIn("closed, 1 piece", result["notes"][-1])
+                self.assertEqual((result["repairs"]["closed"], result["repairs"]["pieces"]), (True, 1))
                 self.assertAlmostEqual(result["surface_to_model"]["rms_mm"], results[0]["surface_to_model"]["rms_mm"], 4)
 
     def test_damaged_files_are_refused_or_read_and_never_crash(self):
@@ -96,7 +97,7 @@ class Surfaces(TrunkTest):
         refused = 0
         for make in (binary_stl, text_stl, obj, ply, vtk, vtp):
             good = make() if isinstance(make(), bytes) else make().encode()
-            for trial in range(12):
+            for trial in range(6):
                 bad = bytearray(good)
                 for _ in range(chance.choice((1, 3))):
                     at = chance.randrange(chance.choice((300, len(bad))))
@@ -117,7 +118,7 @@ class Surfaces(TrunkTest):
                         self.assertIn("bad", outcome.err)
                     else:
                         outcome.json()
-        self.assertGreater(refused, 20)
+        self.assertGreater(refused, 10)
 
     def test_bombs(self):
         vertices = "ply\nformat binary_little_endian 1.0\nelement vertex 3000000000\nproperty float x\nend_header\n"
@@ -150,11 +151,11 @@ class Surfaces(TrunkTest):
                    (vtk9.vtkOBJWriter, ()), (vtk9.vtkPolyDataWriter, ("SetFileTypeToASCII",)),
                    (vtk9.vtkPolyDataWriter, ("SetFileTypeToBinary",))]
         for mode in ("SetDataModeToAscii", "SetDataModeToBinary", "SetDataModeToAppended"):
-            for packing in ("SetCompressorTypeToNone", "SetCompressorTypeToZLib"):
+            for packing in (("SetCompressorTypeToNone", "SetHeaderTypeToUInt32"),
+                            ("SetCompressorTypeToZLib", "SetHeaderTypeToUInt64")):
                 for encode in ("EncodeAppendedDataOn", "EncodeAppendedDataOff"):
-                    for size in ("SetHeaderTypeToUInt32", "SetHeaderTypeToUInt64"):
-                        if mode == "SetDataModeToAppended" or encode == "EncodeAppendedDataOn":
-                            writers.append((vtk9.vtkXMLPolyDataWriter, (mode, packing, encode, size)))
+                    if mode == "SetDataModeToAppended" or encode == "EncodeAppendedDataOn":
+                        writers.append((vtk9.vtkXMLPolyDataWriter, (mode, *packing, encode)))
         for kind, settings in writers:
             with self.subTest(kind.__name__, settings=settings):
                 writer = kind()

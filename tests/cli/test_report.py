@@ -20,8 +20,8 @@ HOSTILE = '</script><script>window.harmed = 1</script><img src=x onerror="window
 
 
 class ReportTest(TrunkTest):
-    def report(self, *files, output="r.html", **options):
-        json = self.succeeds("report", *files, "-o", output, **options)
+    def report(self, *files, output="r.html", options=(), **environment):
+        json = self.succeeds("report", *files, "-o", output, *options, **environment)
         page = ReportPage(self.folder / output)
         self.assertEqual(json["bytes"], page.size)
         self.assertLess(page.size, MOST_BYTES)
@@ -84,6 +84,32 @@ class Run(ReportTest):
         self.assertEqual(touching.sum(), (stored > 0).sum())
         again = self.report("r.h5", output="again.html")
         self.assertEqual(page.html, again.html, "equal files make equal pages")
+
+    def test_beside_a_measured_surface(self):
+        self.succeeds("simulate", HEALTHY, "-o", "r.h5", *COARSE)
+        group = self.opened("r.h5")
+        points = 1e3 * group["particles/trajectory/position/value"][-1] + (0, 0, 5)
+        lung = group["connectivity/triangles"][()][group["connectivity/triangle_component"][()] == 1]
+        self.file("lung.obj", "".join("v {} {} {}\n".format(*p) for p in points) +
+                  "".join("f {} {} {}\n".format(*t) for t in lung + 1))
+        options = ("--surface", "lung.obj", "--axes", "RAS", "--region", "lung", "--at", "end")
+        expected = self.succeeds("compare", "r.h5", *options)
+        surface = self.report("r.h5", options=options).files[0]["run"]["surface"]
+        self.assertEqual((surface["name"], surface["time_s"]), ("lung.obj", expected["time_s"]))
+        side = surface["side_mm"]
+        self.assertEqual(len(side), len(points))
+        np.testing.assert_allclose(side[expected["particles"]], expected["signed_distance_mm"], atol=1e-4)
+        self.assertEqual(np.isfinite(side).sum(), len(expected["particles"]))
+        self.assertEqual(surface["distances"][0]["rms_mm"], expected["model_to_surface"]["rms_mm"])
+        drawn = surface["points_mm"].reshape(-1, 3)[surface["corners"].reshape(-1, 3)]
+        self.assertEqual(len(drawn), len(lung))
+        np.testing.assert_allclose(drawn.min(axis=(0, 1)), points[np.unique(lung)].min(axis=0), atol=1e-3)
+
+    def test_a_surface_needs_one_run(self):
+        self.succeeds("simulate", HEALTHY, "-o", "r.h5", *COARSE)
+        self.refused("report", "r.h5", "r.h5", "--surface", "x.stl", "-o", "p.html", says="one run or fit")
+        self.refused("report", "r.h5", "--surface", "x.stl", "-o", "p.html", says="x.stl: no such file")
+        self.refused("report", "r.h5", "--at", "peak", "-o", "p.html", says="--surface")
 
     def test_paralysed_fibres_beside_healthy_ones(self):
         self.succeeds("simulate", HEALTHY, "-o", "a.h5", *COARSE)

@@ -25,6 +25,7 @@ class PageTest(TrunkTest):
         cls.addClassCleanup(cls.browser.close)
 
     def opened(self, *files, name):
+        """`files` and options."""
         self.succeeds("report", *files, "-o", f"{name}.html")
         self.browser.open(self.folder / f"{name}.html")
         return self.browser
@@ -67,6 +68,23 @@ class PageTest(TrunkTest):
 
 
 class Page(PageTest):
+    def test_beside_a_measured_surface(self):
+        self.succeeds("simulate", HEALTHY, "-o", "r.h5", *COARSE)
+        self.succeeds("export", "r.h5", "--pml", "mine")
+        page = self.opened("r.h5", "--surface", "mine/trunk.pml", "--component", "lung", "--region", "lung", "--at", "end",
+                           name="beside")
+        self.wait_for_paint()
+        self.assertEqual(page.run("return document.querySelector('select[aria-label=\"colour by\"]').value"), "side")
+        self.assertAlmostEqual(page.run(TIME), 0.3, delta=0.02)
+        self.assertIn("at 0.30 s", page.run("return document.querySelector('.legend').textContent"))
+        self.assertGreater(self.colours(), 30)
+        self.assertGreater(float(self.cell("model to surface", 2)), 0)
+        before = self.picture()
+        page.run("document.querySelector('[data-part=target]').click()")
+        self.wait_for_paint()
+        self.assertNotEqual(self.picture(), before, "the measured surface was not to be seen")
+        self.finish("beside")
+
     def test_run(self):
         json = self.succeeds("simulate", HEALTHY, "-o", "r.h5")
         page = self.opened("r.h5", name="run")

@@ -146,15 +146,29 @@ TEST_CASE("The unit is guessed from the size, and a size that is none of a trunk
   }
   CHECK_THAT(message_of_surface(obj_of(ball, 1e5)), Contains("expected 0.05 to 1 m"));
   CHECK_THAT(message_of_surface(obj_of(ball, 0.01)), Contains("--surface-unit"));
-  CHECK_THAT(message_of_surface(obj_of(ball, 1000.0), {"m", "", ""}), Contains("check the unit"));
-  CHECK_THAT(message_of_surface(obj_of(ball, 1000.0), {"inch", "", ""}), Contains("expected mm, cm or m"));
-  CHECK_THAT(message_of_surface(obj_of(ball), {"", "LLS", ""}), Contains("axes") || Contains("R/L"));
+  CHECK_THAT(message_of_surface(obj_of(ball, 1000.0), {"m", "", "", ""}), Contains("check the unit"));
+  CHECK_THAT(message_of_surface(obj_of(ball, 1000.0), {"inch", "", "", ""}),
+             Contains("expected mm, cm or m"));
+  CHECK_THAT(message_of_surface(obj_of(ball), {"", "LLS", "", ""}), Contains("axes") || Contains("R/L"));
+}
+
+TEST_CASE("Axes that nobody names are those of the subject's other surfaces", "[unit][surfaces]") {
+  TemporaryFolder folder;
+  const std::string ball = obj_of(icosphere(0.1, 1));
+  const auto axes_of = [&](const std::string& content, const SurfaceOptions& options) {
+    return read_surface(folder.write("x.obj", content), options).axes;
+  };
+  CHECK(axes_of(ball, {}) == "RAS");
+  CHECK(axes_of(ball, {"", "", "", "LSA"}) == "LSA");
+  CHECK(axes_of("# SPACE=LPS\n" + ball, {"", "", "", "LSA"}) == "LPS");
+  CHECK(axes_of("# SPACE=LPS\n" + ball, {"", "ASR", "", "LSA"}) == "ASR");
 }
 
 TEST_CASE("One component can be chosen, and must be there", "[unit][surfaces]") {
   TemporaryFolder folder;
   const std::string ball = obj_of(icosphere(0.1, 1)), two = "o left\n" + ball + "o right\nf 1 2 3\n";
-  const SurfaceFile left = read_surface(folder.write("two.obj", two), {"", "", "left"});
+  const SurfaceFile left = read_surface(folder.write("two.obj", two), {"", "", "left", ""});
   CHECK(left.surface.triangles.size() == icosphere(0.1, 1).triangles.size());
-  CHECK_THAT(message_of_surface(two, {"", "", "middle"}), Contains("'middle'") && Contains("'left' 'right'"));
+  CHECK_THAT(message_of_surface(two, {"", "", "middle", ""}),
+             Contains("'middle'") && Contains("'left' 'right'"));
 }

@@ -8,6 +8,7 @@
 #include "surface/align.hpp"
 #include "surface/axes.hpp"
 #include "surface/repair.hpp"
+#include "surface/thinned.hpp"
 
 using namespace trunk;
 using namespace trunk::test;
@@ -83,7 +84,7 @@ TEST_CASE("Triangles with points of their own become a closed surface again", "[
     INFO(mesh.name);
     MeasuredSurface s = soup_of(mesh);
     Random random(7);
-    for (Vec3d& p : s.points) p += random.vector(1e-7);  // numbers were rounded
+    for (Vec3d& p : s.points) p += random.vector(1e-7) + Vec3d(-700, 0, 3);  // numbers were rounded
     const RepairReport report = repair(s);
     CHECK(s.points.size() == mesh.position.size());
     CHECK(report.merged_points == 3 * mesh.triangles.size() - mesh.position.size());
@@ -285,6 +286,16 @@ TEST_CASE("A moved surface is brought back", "[unit][surface]") {
   for (std::size_t i = 0; i < moved.points.size(); ++i)
     worst = std::max(worst, norm(move(moved.points[i]) - still.points[i]));
   CHECK(worst < 0.005);  // iterated closest points creep along the surface
+}
+
+TEST_CASE("A surface thinned for looking keeps its shape", "[unit][surface]") {
+  const MeasuredSurface whole = measured(icosphere(0.1, 4));
+  CHECK(thinned(whole, whole.triangles.size()).triangles == whole.triangles);
+  const MeasuredSurface few = thinned(whole, 800);
+  CHECK(few.triangles.size() <= 800);
+  CHECK(few.triangles.size() > 300);
+  for (const Vec3d& p : few.points) CHECK(norm(p) == Approx(0.1).epsilon(0.05));
+  CHECK(volume_of(few) == Approx(volume_of(whole)).epsilon(0.1));
 }
 
 TEST_CASE("A flat surface is known by its flatness", "[unit][surface]") {

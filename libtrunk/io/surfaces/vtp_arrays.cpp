@@ -7,6 +7,7 @@
 #include <array>
 
 #include "errors/input_error.hpp"
+#include "surfaces/file_surface.hpp"
 #include "surfaces/numbers.hpp"
 #include "surfaces/words.hpp"
 
@@ -54,6 +55,10 @@ std::string text_beside_elements(pugi::xml_node array) {
 
 }  // namespace
 
+std::string VtpArrays::Coded::first(std::size_t count) const {
+  return raw ? std::string(text.substr(0, count)) : from_base64(text, count);
+}
+
 VtpArrays::VtpArrays(const pml::XmlDocument& xml, std::string_view appended, bool appended_raw)
     : xml_(xml), appended_(appended), appended_raw_(appended_raw) {
   const std::string_view order = xml.root().attribute("byte_order").as_string("LittleEndian"),
@@ -78,56 +83,65 @@ double VtpArrays::header(pugi::xml_node array, std::string_view decoded, std::si
                    big_endian_);
 }
 
-/// Layout of uncompressed data: [bytes][data]. Compressed: [blocks][bytes a block][bytes of the last one, 0:
-/// whole][compressed bytes, one a block][blocks].
-std::string VtpArrays::bytes(pugi::xml_node array, std::string_view coded, bool raw,
-                             std::size_t most_bytes) const {
-  const auto decode = [&](double wanted) {
-    const auto count = static_cast<std::size_t>(std::min(wanted, 1e9));
-    return raw ? std::string(coded.substr(0, count)) : from_base64(coded, count);
-  };
-  const auto word = static_cast<double>(header_bytes_);
-  if (!compressed_) {
-    const double size = header(array, decode(word), 0);
-    if (size > static_cast<double>(most_bytes))
-      xml_.fail(array, fmt::format("an array of {} bytes found; expected {} at most; thin the surface", size,
-                                   most_bytes));
-    std::string data = decode(word + size).substr(header_bytes_);
-    if (static_cast<double>(data.size()) != size)
-      xml_.fail(array,
-                fmt::format("{} bytes found in this array, its header names {}; check that the export was "
-                            "finished",
-                            data.size(), size));
-    return data;
-  }
-  const double blocks = header(array, decode(word), 0);
-  if (blocks > 1e6)
+/// [bytes][data]
+std::string VtpArrays::plain_bytes(pugi::xml_node array, const Coded& coded, std::size_t most_bytes) const {
+  const double size = header(array, coded.first(header_bytes_), 0);
+  if (size > static_cast<double>(most_bytes))
+    xml_.fail(array, fmt::format("an array of {} bytes found; expected {} at most; thin the surface", size,
+                                 most_bytes));
+  const std::string all = coded.first(header_bytes_ + static_cast<std::size_t>(size));
+  std::string data = all.substr(std::min(header_bytes_, all.size()));
+  if (static_cast<double>(data.size()) != size)
+    xml_.fail(array,
+              fmt::format("{} bytes found in this array, its header names {}; check that the export was "
+                          "finished",
+                          data.size(), size));
+  return data;
+}
+
+/// [blocks][bytes a block][bytes of the last one, 0: whole][compressed bytes, one a block][blocks]
+std::string VtpArrays::inflated_bytes(pugi::xml_node array, const Coded& coded,
+                                      std::size_t most_bytes) const {
+  constexpr double most_blocks = 1e6;
+  const double count = header(array, coded.first(header_bytes_), 0);
+  if (count > most_blocks)
     xml_.fail(array, "an array of more than a million blocks found; save it with larger ones");
-  const std::string head = decode((3.0 + blocks) * word);
-  const double block_bytes = header(array, head, 1), last_bytes = header(array, head, 2);
-  double total = 0.0;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(blocks); ++i) total += header(array, head, 3 + i);
-  const std::string all = decode(static_cast<double>(head.size()) + total);
-  if (static_cast<double>(all.size()) < static_cast<double>(head.size()) + total)
+  const auto blocks = static_cast<std::size_t>(count);
+  const std::string head = coded.first((3 + blocks) * header_bytes_);
+  const double whole = header(array, head, 1), last = blocks > 0 ? header(array, head, 2) : 0.0;
+  double packed = 0.0;
+  for (std::size_t i = 0; i < blocks; ++i) packed += header(array, head, 3 + i);
+  if (packed > static_cast<double>(largest_surface_file))
+    xml_.fail(array,
+              "the header of this array names more bytes than there are; check that the export was finished");
+  const std::string all = coded.first(head.size() + static_cast<std::size_t>(packed));
+  if (all.size() < head.size() + static_cast<std::size_t>(packed))
     xml_.fail(array, "the compressed data of this array are cut short; check that the export was finished");
   std::string data;
   std::size_t at = head.size();
-  for (std::size_t i = 0; i < static_cast<std::size_t>(blocks); ++i) {
-    const bool last = static_cast<double>(i) == blocks - 1.0;
-    const double size = last && last_bytes > 0.0 ? last_bytes : block_bytes;
+  for (std::size_t i = 0; i < blocks; ++i) {
+    const double size = i + 1 == blocks && last > 0.0 ? last : whole;
     if (size + static_cast<double>(data.size()) > static_cast<double>(most_bytes))
       xml_.fail(array, fmt::format("an array of more than {} bytes found; thin the surface", most_bytes));
-    std::string block(static_cast<std::size_t>(size), '\0');
-    uLongf length = block.size();
-    const auto packed = static_cast<std::size_t>(header(array, head, 3 + i));
-    if (uncompress(reinterpret_cast<Bytef*>(block.data()), &length,
-                   reinterpret_cast<const Bytef*>(all.data() + at), packed) != Z_OK ||
-        length != block.size())
-      xml_.fail(array, "the compressed data of this array are damaged; export the surface again");
-    data += block;
-    at += packed;
+    const auto bytes = static_cast<std::size_t>(header(array, head, 3 + i));
+    data += inflated_block(array, std::string_view(all).substr(at, bytes), static_cast<std::size_t>(size));
+    at += bytes;
   }
   return data;
+}
+
+std::string VtpArrays::inflated_block(pugi::xml_node array, std::string_view packed, std::size_t size) const {
+  std::string block(size, '\0');
+  uLongf length = block.size();
+  const int outcome = uncompress(reinterpret_cast<Bytef*>(block.data()), &length,
+                                 reinterpret_cast<const Bytef*>(packed.data()), packed.size());
+  if (outcome != Z_OK || length != block.size())
+    xml_.fail(array, "the compressed data of this array are damaged; export the surface again");
+  return block;
+}
+
+std::string VtpArrays::bytes(pugi::xml_node array, const Coded& coded, std::size_t most_bytes) const {
+  return compressed_ ? inflated_bytes(array, coded, most_bytes) : plain_bytes(array, coded, most_bytes);
 }
 
 std::vector<double> VtpArrays::numbers(pugi::xml_node array, std::size_t most) const {
@@ -151,7 +165,8 @@ std::vector<double> VtpArrays::numbers(pugi::xml_node array, std::size_t most) c
   if (!type) xml_.fail(array, "the type of this array is none of VTK's, such as Float32; correct it");
   std::string data;
   if (format == "binary") {
-    data = bytes(array, text_beside_elements(array), false, most * type->bytes);
+    const std::string text = text_beside_elements(array);
+    data = bytes(array, {text, false}, most * type->bytes);
   } else if (format == "appended") {
     const double offset = static_cast<double>(xml_.index(array, "offset"));
     if (offset >= static_cast<double>(appended_.size()))
@@ -159,7 +174,7 @@ std::vector<double> VtpArrays::numbers(pugi::xml_node array, std::size_t most) c
                            "offset {} found in appended data of {} bytes; check that the export was finished",
                            offset, appended_.size()));
     data =
-        bytes(array, appended_.substr(static_cast<std::size_t>(offset)), appended_raw_, most * type->bytes);
+        bytes(array, {appended_.substr(static_cast<std::size_t>(offset)), appended_raw_}, most * type->bytes);
   } else {
     xml_.fail(array,
               "a format found that is not ascii, binary or appended; save the surface with one of these");

@@ -19,7 +19,17 @@ class VtpArrays {
   std::vector<double> numbers(pugi::xml_node array, std::size_t most) const;
 
  private:
-  std::string bytes(pugi::xml_node array, std::string_view coded, bool raw, std::size_t most_bytes) const;
+  /// Bytes as they are, or in base64.
+  struct Coded {
+    std::string_view text;
+    bool raw = false;
+    std::string first(std::size_t count) const;  ///< fewer where there are no more
+  };
+
+  std::string bytes(pugi::xml_node array, const Coded& coded, std::size_t most_bytes) const;
+  std::string plain_bytes(pugi::xml_node array, const Coded& coded, std::size_t most_bytes) const;
+  std::string inflated_bytes(pugi::xml_node array, const Coded& coded, std::size_t most_bytes) const;
+  std::string inflated_block(pugi::xml_node array, std::string_view packed, std::size_t size) const;
   double header(pugi::xml_node array, std::string_view decoded, std::size_t index) const;
 
   const pml::XmlDocument& xml_;

@@ -27,8 +27,9 @@ function header(files) {
   );
 }
 
-/** The frame the clock starts at: the largest volume, where there is most to see. */
-function peakTime({ curves }) {
+/** The frame the clock starts at: where a surface was measured, else the largest volume, where there is most to see. */
+function openingTime({ curves, surface }) {
+  if (surface) return surface.time_s;
   const volume = curves && curveNamed({ curves }, 'dV_model');
   if (!volume) return 0;
   let at = 0;
@@ -84,7 +85,7 @@ async function start() {
   const clock = runs.length > 0 ? breathing(main, runs) : null;
   origin(main, files);
   if (clock?.duration > 0) main.append(player(clock)); // last, so that it stays in sight all along
-  clock?.seek(peakTime(runs[0].run));
+  clock?.seek(openingTime(runs[0].run));
   document.body.append(h('footer', null, 'Made by trunk report. This page needs no network. Drawn with three.js and uPlot (MIT licence, in the source of this page).'));
   document.documentElement.dataset.ready = 'yes';
 }

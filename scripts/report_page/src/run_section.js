@@ -90,12 +90,27 @@ function comparison(runs, member, caption) {
   return shown;
 }
 
+/** How far the run is from the surface that it was held against. */
+function beside(parent, { name, region, time_s: time, triangles, covered_percent: covered, distances }) {
+  const columns = ['mean_mm', 'rms_mm', 'median_mm', 'percentile95_mm', 'hausdorff_mm'];
+  const rows = distances
+    .filter((d, i) => i !== 1 || (covered > 0 && covered < 99.5))
+    .map((d) => [d.name, ...columns.map((column) => numberText(d[column], 3))]);
+  section(
+    parent,
+    `Beside ${name}`,
+    table(['mm', 'mean', 'RMS', 'median', '95 %', 'Hausdorff'], rows, { caption: `Distances of the ${region} at ${numberText(time, 3)} s to the measured surface of ${triangles} triangles`, numeric: [1, 2, 3, 4, 5] }),
+    h('p', { class: 'small' }, `${numberText(covered, 3)} % of the ${region} is over the surface, the rest beyond its border.`),
+  );
+}
+
 /** runs: [{run, label}], one or two. */
 export function runSection(parent, runs, clock, withVolume = true) {
   const one = runs.length === 1;
   const status = runs.map(({ run, label }) => (run.status && run.status !== 'completed' ? note(`${label ?? 'This run'} did not complete: ${run.message || words(run.status)}`) : null));
   const stage = section(parent, one ? 'The trunk as it breathes' : 'The trunks as they breathe', ...status);
   trunkViews(stage, runs, clock);
+  for (const { run } of runs) if (run.surface) beside(parent, run.surface);
   curves(section(parent, 'Over time'), runs, clock, withVolume);
   section(
     parent,

@@ -36,6 +36,9 @@ function disc() {
   return new three.CanvasTexture(canvas);
 }
 
+/** Of parts that are seen through, by what is coloured; beside a measured surface they only stand in the way. */
+const throughOpacity = { anatomy: 0.3, side: 0.08 };
+
 export class TrunkScene {
   constructor(run) {
     const { trajectory } = run;
@@ -52,6 +55,7 @@ export class TrunkScene {
     this.addSurfaces();
     this.addFibres();
     this.addContact();
+    this.addTarget();
     this.addCamera();
     this.time = 0;
   }
@@ -109,6 +113,22 @@ export class TrunkScene {
     this.contact.renderOrder = 3;
     this.scene.add(this.contact);
     this.shown.contact = true;
+  }
+
+  /** The measured surface that the run was held against. */
+  addTarget() {
+    const { surface } = this.run;
+    if (!surface) return;
+    const geometry = new three.BufferGeometry();
+    geometry.setAttribute('position', new three.BufferAttribute(surface.points_mm, 3));
+    geometry.setIndex(new three.BufferAttribute(new Uint32Array(surface.corners), 1));
+    geometry.computeVertexNormals();
+    this.target = new three.Mesh(geometry, new three.MeshLambertMaterial({ side: three.DoubleSide, transparent: true, opacity: 0.35, depthWrite: false }));
+    this.target.frustumCulled = false;
+    this.target.renderOrder = 1;
+    this.scene.add(this.target);
+    this.shown.target = true;
+    this.limits.side = this.moves.side = surface.side_mm.reduce((most, d) => (Number.isFinite(d) ? Math.max(most, Math.abs(d)) : most), 0);
   }
 
   addCamera() {
@@ -198,12 +218,13 @@ export class TrunkScene {
       const plain = this.colouring === 'anatomy';
       s.mesh.material.vertexColors = !plain;
       s.mesh.material.color.set(plain ? colour(s.colour) : '#ffffff');
-      s.mesh.material.opacity = s.through ? (plain ? 0.3 : 0.55) : 1;
+      s.mesh.material.opacity = s.through ? (throughOpacity[this.colouring] ?? 0.55) : 1;
       s.mesh.material.needsUpdate = true;
       s.edges.material.color.copy(edge);
       s.ghost.material.color.set(colour('ghost'));
     }
     this.contact?.material.color.set(colour('contact'));
+    this.target?.material.color.set(colour('target'));
     this.show(this.time);
   }
 
@@ -239,6 +260,7 @@ export class TrunkScene {
 
   moveColours() {
     if (this.colouring === 'anatomy') return;
+    if (this.colouring === 'side') return this.sideColours();
     const now = this.now.array;
     const shade = new three.Color();
     for (let i = 0; i < this.width; i += 3) {
@@ -248,6 +270,16 @@ export class TrunkScene {
         : signColour(0.5 + z / (2 * this.limits.rise || 1));
       shade.setRGB(rgb[0] / 255, rgb[1] / 255, rgb[2] / 255, three.SRGBColorSpace).toArray(this.colours.array, i);
     }
+    this.colours.needsUpdate = true;
+  }
+
+  /** Particles that were not compared, or are beyond the border of the surface, are grey. */
+  sideColours() {
+    const shade = new three.Color();
+    this.run.surface.side_mm.forEach((side, i) => {
+      const rgb = Number.isFinite(side) ? signColour(0.5 + side / (2 * this.limits.side || 1)) : [150, 150, 150];
+      shade.setRGB(rgb[0] / 255, rgb[1] / 255, rgb[2] / 255, three.SRGBColorSpace).toArray(this.colours.array, 3 * i);
+    });
     this.colours.needsUpdate = true;
   }
 
@@ -299,6 +331,7 @@ export class TrunkScene {
       this.fibres.material.resolution.set(...this.size);
     }
     if (this.contact) this.contact.visible = this.shown.contact;
+    if (this.target) this.target.visible = this.shown.target;
     this.renderer.render(this.scene, this.camera);
   }
 }

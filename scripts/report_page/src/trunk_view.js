@@ -10,6 +10,7 @@ import { fixed, unitText } from './words.js';
 const colourings = {
   anatomy: { label: 'parts' },
   distance: { label: 'distance from rest', map: sizeColour, low: () => 0, unit: 'mm from rest' },
+  side: { label: 'measured surface', map: signColour, low: (most) => -most, unit: 'mm above it (+), below (−), grey: beyond it' },
   rise: { label: 'rise and fall', map: signColour, low: (most) => -most, unit: 'mm up (+) or down (−) from rest' },
 };
 
@@ -17,6 +18,7 @@ function checkboxes(scene) {
   const entries = scene.surfaces.map(({ key, label, colour: name }) => [key, label, name]);
   if (scene.fibres) entries.push(['fibres', 'fibres', 'fibre']);
   if (scene.contact) entries.push(['contact', 'contact with the ribs', 'contact']);
+  if (scene.target) entries.push(['target', `measured: ${scene.run.surface.name}`, 'target']);
   entries.push(['ghost', 'rest shape', 'ghost']);
   return h(
     'fieldset',
@@ -31,10 +33,11 @@ function checkboxes(scene) {
 
 function colouringChoice(scenes) {
   const bar = h('span', { class: 'gradient' });
-  const [low, high, unit] = [h('span'), h('span'), h('span')];
-  const legend = h('div', { class: 'legend', hidden: true }, low, bar, high, unit);
+  const [low, high, meaning] = [h('span'), h('span'), h('span')];
+  const legend = h('div', { class: 'legend', hidden: true }, low, bar, high, meaning);
   const show = (name) => {
-    const { map, low: lowest, unit: text } = colourings[name];
+    const { map, low: lowest, unit } = colourings[name];
+    const text = name === 'side' ? `${unit}, at ${fixed(scenes[0].run.surface.time_s, 2)} s` : unit;
     for (const scene of scenes) scene.setColouring(name);
     legend.hidden = !map;
     if (!map) return;
@@ -42,13 +45,19 @@ function colouringChoice(scenes) {
     bar.style.background = gradient(map);
     low.textContent = fixed(lowest(most), 1);
     high.textContent = fixed(most, 1);
-    unit.textContent = text;
+    meaning.textContent = text;
   };
   const select = h(
     'select',
     { 'aria-label': 'colour by', onchange: () => show(select.value) },
-    Object.entries(colourings).map(([name, { label }]) => h('option', { value: name }, label)),
+    Object.entries(colourings)
+      .filter(([name]) => name !== 'side' || scenes[0].target)
+      .map(([name, { label }]) => h('option', { value: name }, label)),
   );
+  if (scenes[0].target) {
+    select.value = 'side'; // that is what the page was made for
+    show('side');
+  }
   return [h('label', null, 'Colour by ', select), legend];
 }
 
@@ -162,7 +171,7 @@ function copyForPaper(canvas, stage) {
 function start(parent, views3d, clock) {
   const scenes = views3d.map(({ scene }) => scene);
   if (scenes.length === 0) return;
-  const largest = { distance: Math.max(...scenes.map((s) => s.moves.distance)), rise: Math.max(...scenes.map((s) => s.moves.rise)) };
+  const largest = { ...scenes[0].moves, distance: Math.max(...scenes.map((s) => s.moves.distance)), rise: Math.max(...scenes.map((s) => s.moves.rise)) };
   for (const { scene, canvas, stage } of views3d) {
     scene.limits = largest;
     const label = overlay(scene, stage);
