@@ -73,7 +73,9 @@ class SubjectReader {
 
  private:
   MeasuredSurface surface(const std::string& file) {
-    SurfaceFile read = read_surface(file, request_.file);
+    SurfaceOptions options = request_.file;
+    if (frame_) options.axes_of_others = frame_->axes.letters();
+    SurfaceFile read = read_surface(file, options);
     for (const std::string& note : read.notes) notes_.push_back(file + ": " + note);
     files_.push_back(file);
     const double metres = read.unit == "m" ? 1.0 : read.unit == "cm" ? 1e-2 : 1e-3;
