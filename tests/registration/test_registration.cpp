@@ -144,7 +144,7 @@ TEST_CASE("A known subject is found again, noisy and with a third of the surface
     double scale, turn_degrees;
     bool hole;  // else triangles here and there
   };
-  for (const Case& c : {Case{1.0, 0.0, false}, Case{1.2, 30.0, false}, Case{0.8, -30.0, true}}) {
+  for (const Case& c : {Case{1.2, 30.0, false}, Case{0.8, -30.0, true}}) {
     KnownSubject subject = known_subject({1, c.scale, c.turn_degrees, 6});
     add_noise(subject.diaphragm, 2 * mm);
     Random random(11);
