@@ -73,7 +73,9 @@ class SubjectReader {
 
  private:
   MeasuredSurface surface(const std::string& file) {
-    SurfaceFile read = read_surface(file, request_.file);
+    SurfaceOptions options = request_.file;
+    if (frame_) options.axes_of_others = frame_->axes.letters();
+    SurfaceFile read = read_surface(file, options);
     for (const std::string& note : read.notes) notes_.push_back(file + ": " + note);
     files_.push_back(file);
     const double metres = read.unit == "m" ? 1.0 : read.unit == "cm" ? 1e-2 : 1e-3;
@@ -115,6 +117,17 @@ TrunkMesh trunk_to_register(const RegisterRequest& request, ScenarioFile& file) 
   return mesh_of(file.scenario);
 }
 
+/// A trunk that other commands would refuse is not written.
+void require_upright(const TrunkMesh& mesh) {
+  try {
+    require_anatomy(mesh);
+  } catch (const InputError& error) {
+    throw InputError(std::string("registered to this surface, ") + error.what() +
+                     "; is the surface in these axes, "
+                     "and is it what the option says?");
+  }
+}
+
 Exit register_command(const Common& common, RegisterRequest request) {
   const auto start = std::chrono::steady_clock::now();
   const fs::path pml = request.output, toml = fs::path(pml).replace_extension(".toml");
@@ -143,7 +156,7 @@ Exit register_command(const Common& common, RegisterRequest request) {
     print_progress(fmt::format("register: iteration {} of {}", n + 1, of));
   });
   const RegistrationVerdict verdict = verdict_of(found, 1e-3 * request.tolerance_mm);
-  require_anatomy(found.mesh);
+  require_upright(found.mesh);
   replace_file(pml, trunk_pml(found.mesh, found.mesh.given, scenario.scenario.rigid, pml.stem().string()));
   replace_file(toml, subject_toml(request.scenario, pml));
   for (const std::string& note : reader.notes()) print_note("note: " + note);

@@ -175,6 +175,13 @@ Registration register_trunk(const TrunkMesh& trunk, const SubjectTargets& target
   Registration result;
   result.alignment = aligned(trunk, shown, landmarks);
   const Similarity& similarity = result.alignment.similarity;
+  constexpr double most_scale = 3.0;
+  if (!(similarity.scale < most_scale && similarity.scale > 1.0 / most_scale))
+    throw InputError(
+        fmt::format("the surface asks for a trunk {:.3g} times the size of this one, expected {:.2g} to "
+                    "{:.2g} times: is its unit "
+                    "right, and is it what the option says?",
+                    similarity.scale, 1.0 / most_scale, most_scale));
   // From here on upright, in the trunk's own directions and at the subject's size.
   const auto upright = [&](const Vec3d& p) { return turn_back(similarity.rotation, p - similarity.shift); };
   for (Shown& s : shown)

@@ -114,7 +114,6 @@ TEST_CASE("runs that fail are counted, and the fit goes on", "[regression][slow]
   Eigen::VectorXd far = space.start();
   far[0] = std::log(1e8);  // too stiff for 1 ms as well
   const double beyond = objective.problem().at(far).objective;
-  CHECK(beyond > too_stiff);
   CHECK(finite(beyond));
   CHECK(beyond > 1e3 * std::max(at_truth, 1e-12));
   CHECK(objective.failures() == 1);

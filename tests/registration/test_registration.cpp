@@ -144,7 +144,7 @@ TEST_CASE("A known subject is found again, noisy and with a third of the surface
     double scale, turn_degrees;
     bool hole;  // else triangles here and there
   };
-  for (const Case& c : {Case{1.0, 0.0, false}, Case{1.2, 30.0, false}, Case{0.8, -30.0, true}}) {
+  for (const Case& c : {Case{1.2, 30.0, false}, Case{0.8, -30.0, true}}) {
     KnownSubject subject = known_subject({1, c.scale, c.turn_degrees, 6});
     add_noise(subject.diaphragm, 2 * mm);
     Random random(11);
@@ -230,6 +230,20 @@ TEST_CASE("Closed lungs draw the domes and the lung's wall", "[slow][regression]
   CHECK(found.fits.front().from_target->rms < 3 * mm);
   const double truth = enclosed_volume<double>(subject.trunk.lung, subject.truth);
   CHECK(found.final.lung == Approx(truth).epsilon(0.03));
+}
+
+TEST_CASE("Ribs draw by their inner sides alone", "[slow][regression][registration]") {
+  const KnownSubject subject = known_subject({1, 1.0, 0.0, 2});
+  SubjectTargets targets;
+  targets.ribs = refined(subject.truth, rib_side_of(subject.trunk), 3);
+  const Registration outer = register_trunk(subject.trunk, targets, [](int, int) {});
+  CHECK_FALSE(outer.fits.front().from_target);
+  for (Triangle& t : targets.ribs->triangles) std::swap(t[1], t[2]);
+  const Registration inner = register_trunk(subject.trunk, targets, [](int, int) {});
+  require_a_trunk(inner, subject.trunk);
+  CHECK_FALSE(inner.fits.front().to_target);
+  REQUIRE(inner.fits.front().from_target);
+  CHECK(inner.fits.front().from_target->rms < 2 * mm);
 }
 
 TEST_CASE("Targets that cannot be used are refused in words", "[unit][registration]") {
