@@ -108,7 +108,7 @@ OtherScenario other_scenario(const SubjectFit& fit, const std::filesystem::path&
   file.scenario.parameters = own.parameters;
   file.scenario.activation = own.activation;
   file.scenario.time.duration_s = own.time.duration_s;
-  Trunk trunk = build_timed_trunk(file);
+  Trunk trunk = build_timed_trunk(file, stiffer_in_searches);
   return {std::move(file), std::move(trunk)};
 }
 

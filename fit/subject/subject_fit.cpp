@@ -89,7 +89,7 @@ SubjectFit::SubjectFit(ScenarioFile file, Measurement measurement, FitPlan plan)
   space_ = std::make_unique<SearchSpace>(names_to_fit(plan_, measurement_, fixed),
                                          Candidate{file_.scenario.parameters, file_.scenario.activation},
                                          beside, plan_.priors);
-  trunk_ = build_timed_trunk(file_);
+  trunk_ = build_timed_trunk(file_, stiffer_in_searches);
 }
 
 std::string SubjectFit::problem_text() const {

@@ -62,13 +62,16 @@ std::optional<double> estimated_error(const Model& model, const Trial<double>& t
 }  // namespace
 
 TimeStepChoice auto_time_step(const Model& model, const Parameters<double>& parameters,
-                              const BreathActivation<double>& activation, double duration_s) {
+                              const BreathActivation<double>& activation, double duration_s, double stiffer) {
   constexpr double safety = 0.95, longest_s = 8e-3, shorter = 0.85;
   const Trial<double> trial{parameters, activation};
-  TimeStepChoice choice{{fine_s, duration_s}, stable_time_step(model, parameters), 0.0};
+  Parameters<double> stiffest = parameters;
+  stiffest.elasticity *= stiffer;
+  stiffest.muscle *= stiffer;
+  TimeStepChoice choice{{fine_s, duration_s}, stable_time_step(model, stiffest), 0.0};
   const auto fine = run(model, trial, choice.grid);
   if (!fine) return choice;
-  const auto stable_s = [&](Damping damping) { return stable_time_step(model, parameters, damping); };
+  const auto stable_s = [&](Damping damping) { return stable_time_step(model, stiffest, damping); };
   const std::pair<Damping, double> bounds[] = {{Damping::centred, stable_s(Damping::centred)},
                                                {Damping::implicit, stable_s(Damping::implicit)}};
   for (double part = safety; part * choice.stable_s > 1.5 * fine_s; part *= shorter)

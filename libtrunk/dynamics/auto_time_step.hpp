@@ -21,8 +21,13 @@ struct TimeStepChoice {
 /// the error at h ms is taken to be |Vh - V1| h / (h - 1): true of an error that is proportional to the step,
 /// too much of one that grows faster. Costs about three breaths at 1 ms; 1 ms, with an error of 0 and no more
 /// asked, where nothing longer will do or V1 does not complete.
+/// The bound is that of a model `stiffer` times as stiff.
 TimeStepChoice auto_time_step(const Model& model, const Parameters<double>& parameters,
-                              const BreathActivation<double>& activation, double duration_s);
+                              const BreathActivation<double>& activation, double duration_s,
+                              double stiffer = 1.0);
+
+/// For searches and draws, which go to stiffer parameters than those they begin with (our choice).
+inline constexpr double stiffer_in_searches = 2.0;
 
 /// The error of a grid as auto_time_step estimates it: to see whether a step chosen for some parameters
 /// serves others. Infinite where a simulation fails.

@@ -49,8 +49,9 @@ void apply_settings(const std::vector<std::string>& settings, ScenarioFile& file
 /// file and line to change.
 Trunk build_trunk(const ScenarioFile& file);
 
-/// The same, and chooses the time step where the scenario says "auto", which takes some simulations.
-Trunk build_timed_trunk(ScenarioFile& file);
+/// The same, and chooses the time step where the scenario says "auto", which takes some simulations; one that
+/// serves a model `stiffer` times as stiff.
+Trunk build_timed_trunk(ScenarioFile& file, double stiffer = 1.0);
 
 /// The two by themselves.
 Trunk assemble_trunk(const ScenarioFile& file);

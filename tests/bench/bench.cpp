@@ -51,9 +51,9 @@ Trials different(const Scenario& s, std::size_t count) {
   return trials;
 }
 
-TimeStepChoice chosen_step(const Subject& s) {
+TimeStepChoice chosen_step(const Subject& s, double stiffer = 1.0) {
   return auto_time_step(s.trunk.model, s.scenario.parameters, s.scenario.activation,
-                        s.scenario.time.duration_s);
+                        s.scenario.time.duration_s, stiffer);
 }
 
 VolumeCurve breath_on(const Subject& s, const TimeGrid& grid) {
@@ -194,7 +194,7 @@ Case made(const std::string& name) {
   if (what == "batch") return batch(about(), about().scenario.time);
   if (what == "auto_batch") return batch(about(), chosen_step(about()).grid);
   if (what == "fit") return fit(about(), about().scenario.time);
-  if (what == "auto_fit") return fit(about(), chosen_step(about()).grid);
+  if (what == "auto_fit") return fit(about(), chosen_step(about(), stiffer_in_searches).grid);
   if (what == "mesh") return steps_of_mesh(std::stoi(which));
   if (what == "one") return one_in(kernel_named(which), subject("healthy"));
   if (what == "lanes") return lanes_in(kernel_named(which), subject("healthy"));
