@@ -104,7 +104,8 @@ Case batch(const Subject& s, const TimeGrid& grid) {
           [=] { return fmt::format(R"(, "breaths": {})", trials.size()); }};
 }
 
-/// k_elasticity and k_muscle of a breath made by the simulator itself, from a start off by 40 and 30 %.
+/// k_elasticity and k_muscle of a breath made by the simulator itself, from a start off by 40 and 30 %, by
+/// the default search.
 Case fit(const Subject& s, const TimeGrid& grid) {
   Target target;
   const VolumeCurve truth = breath_on(s, {0.5e-3, grid.duration_s});
@@ -115,7 +116,6 @@ Case fit(const Subject& s, const TimeGrid& grid) {
   start.parameters.elasticity *= 1.4;
   start.parameters.muscle *= 0.7;
   EstimationOptions options;
-  options.search.algorithm = "lm";
   options.search.coordinate_tolerance = 1e-6;
   options.cross_check = options.profiles = false;
   options.surface_points = 0;
