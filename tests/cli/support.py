@@ -190,3 +190,14 @@ def scenario_with(values=SHORT_BREATH):
         if found != 1:
             raise AssertionError(f"{key} is not in healthy.toml")
     return text
+
+
+def coarse_run():
+    """The file of a short run, for tests that change or read it many times."""
+    maker = TrunkTest()
+    maker.setUp()
+    try:
+        maker.succeeds("simulate", HEALTHY, "-o", "r.h5", *COARSE)
+        return (maker.folder / "r.h5").read_bytes()
+    finally:
+        maker.doCleanups()

@@ -3,7 +3,7 @@
 import os
 import unittest
 
-from support import COARSE, HEALTHY, TrunkTest
+from support import TrunkTest, coarse_run
 
 try:
     import h5py
@@ -19,11 +19,7 @@ written = b""  # a run, once for all
 
 def setUpModule():
     global written
-    maker = TrunkTest()
-    maker.setUp()
-    maker.succeeds("simulate", HEALTHY, "-o", "r.h5", *COARSE)
-    written = (maker.folder / "r.h5").read_bytes()
-    maker.doCleanups()
+    written = coarse_run()
 
 
 class Hostile(TrunkTest):

@@ -4,18 +4,14 @@ import random
 import struct
 import unittest
 
-from support import COARSE, HEALTHY, TrunkTest
+from support import TrunkTest, coarse_run
 
 written = b""  # a run, once for all
 
 
 def setUpModule():
     global written
-    maker = TrunkTest()
-    maker.setUp()
-    maker.succeeds("simulate", HEALTHY, "-o", "r.h5", *COARSE)
-    written = (maker.folder / "r.h5").read_bytes()
-    maker.doCleanups()
+    written = coarse_run()
 
 
 def ball(rings=6, around=8, radius=100.0):

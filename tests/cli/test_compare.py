@@ -3,7 +3,7 @@
 import math
 import unittest
 
-from support import COARSE, HEALTHY, TrunkTest, shared_file
+from support import TrunkTest, coarse_run, shared_file
 
 try:
     import h5py
@@ -16,11 +16,7 @@ written = b""  # a run, once for all
 
 def setUpModule():
     global written
-    maker = TrunkTest()
-    maker.setUp()
-    maker.succeeds("simulate", HEALTHY, "-o", "r.h5", *COARSE)
-    written = (maker.folder / "r.h5").read_bytes()
-    maker.doCleanups()
+    written = coarse_run()
 
 
 def obj(points_mm, triangles):
