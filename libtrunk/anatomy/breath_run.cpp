@@ -47,6 +47,12 @@ void in_parts(std::size_t all, const RunPart& run) {
   }
 }
 
+std::vector<Vec3d> velocities(const State<double>& state, double dt_s) {
+  std::vector<Vec3d> all;
+  for (std::size_t i = 0; i < state.position.size(); ++i) all.push_back(velocity(state, i, dt_s));
+  return all;
+}
+
 BreathSummary summary_of(const Trunk& trunk, BreathCourse course) {
   const Model& model = trunk.model;
   BreathSummary s;
@@ -81,7 +87,7 @@ BreathRun run_breath(const Trunk& trunk, const Scenario& scenario, int frame_eve
     run.activation.push_back(activation);
     run.pressure_Pa.push_back(report.pressure_Pa);
     if (frame_every > 0 && step % frame_every == 0)
-      run.frames.push_back({step, state.position, state.velocity, touches(state)});
+      run.frames.push_back({step, state.position, velocities(state, scenario.time.dt_s), touches(state)});
   };
   const auto start = std::chrono::steady_clock::now();
   Summary summary = simulate(trunk.model, scenario.parameters, scenario.activation, scenario.time, observe);

@@ -145,9 +145,9 @@ Trunk make_trunk(const TrunkMesh& mesh, const Tissue& tissue, Reaction reaction,
   model.shape_memory = make_shape_memory(abdomen, mesh.rest, stiffness, abdominal_shares(mesh), reaction);
   model.membrane = make_membrane(mesh, tissue.membrane_stiffness);
   model.fibres = make_fibres(mesh, tissue, healthy.fibre_strength);
-  model.abdomen = {
-      mesh.abdomen, ring_table(abdomen), enclosed_volume<double>(abdomen.triangles(), mesh.rest), {}};
+  model.abdomen = held_volume(abdomen, mesh.rest);
   model.lung = mesh.lung;
+  model.lung_fans = fans(mesh.lung);
   for (int i : mesh.named("fixed")) model.mobility[index(i)] = {0.0, 0.0, 0.0};
   add_rigid_parts(mesh, tissue, parts, model);
   stiffen_held(tissue.held_stiffness, model);

@@ -6,7 +6,7 @@ namespace trunk {
 
 /// The tangent plane of each support's surface where its particle is predicted to be. What the constraints
 /// then move a particle in one step, d, leaves the plane from the surface by d^2 times the curvature, below
-/// 1e-10 m (our choice). (predicted, body) => plane
+/// 1e-10 m (our choice). (next, body) => plane
 template <Scalar S>
 void calc_planes(const Model& model, const State<S>& state, Workspace<S>& w) noexcept {
   for (std::size_t s = 0; s < model.supports.size(); ++s) {
@@ -16,17 +16,18 @@ void calc_planes(const Model& model, const State<S>& state, Workspace<S>& w) noe
     const bool moves = body.motion != RigidBody::Motion::fixed;
     const Rotation<S>& rotation = w.body[b].pose.rotation;
     const Vec3<S> point = moves ? placed(body, w.body[b].pose, support.point) : lift<S>(support.point);
-    const Vec3<S> apart = w.predicted[i] - point;
+    auto& plane = w.plane[s];
+    plane.predicted = w.next[i];
+    const Vec3<S> apart = plane.predicted - point;
     const Vec3<S> at_rest = moves ? turn_back(rotation, apart) : apart;
     const Vec3<S> bend = at_rest.x() * lift<S>(support.curvature[0]) +
                          at_rest.y() * lift<S>(support.curvature[1]) +
                          at_rest.z() * lift<S>(support.curvature[2]);  // symmetric
     const Vec3<S> normal = lift<S>(support.normal) + bend;
 
-    auto& plane = w.plane[s];
     plane.normal = moves ? turn(rotation, normal) : normal;
     plane.push = (S(1.0) / dot(normal, normal)) * plane.normal;
-    plane.offset = S(0.5) * dot(bend, at_rest) + dot(plane.normal, point);
+    plane.excess = dot(plane.normal, apart) - S(0.5) * dot(bend, at_rest);
     if (!moves) continue;
     const Vec3<S> before =
         turn_back(state.body[b].pose.rotation, state.position[i] - state.body[b].pose.centre);
@@ -42,52 +43,36 @@ Vec3<S> along(const typename Workspace<S>::Plane& plane, const Vec3<S>& a) noexc
   return a - dot(plane.normal, a) * plane.push;
 }
 
-/// Puts the particles that touch back on their plane, in the lanes of the mask. (predicted, contact) =>
-/// corrected
+/// Puts the particles that touch back on their plane and corrects them along it only, those that stick not at
+/// all; in the lanes of the mask. (plane, contact) => next, direction
 template <Scalar S>
-void project_onto_supports(const Model& model, const State<S>& state, const Mask<S>& lanes,
-                           Workspace<S>& w) noexcept {
+void rest_on_supports(const Model& model, const State<S>& state, const Mask<S>& lanes,
+                      Workspace<S>& w) noexcept {
   for (std::size_t s = 0; s < model.supports.size(); ++s) {
     const auto& plane = w.plane[s];
-    const auto i = static_cast<std::size_t>(model.supports[s].particle);
-    const Vec3<S> x = w.predicted[i];
-    const S excess = dot(plane.normal, x) - plane.offset;
-    const Vec3<S> projected = select(state.contact[s].touching, x - excess * plane.push, x);
-    w.corrected[i] = select(lanes, projected, w.corrected[i]);
-  }
-}
-
-/// Particles that touch are corrected along their plane only, those that stick not at all.
-/// In the lanes of the mask. (free_direction, contact) => direction
-template <Scalar S>
-void slide_along_supports(const Model& model, const State<S>& state, const Mask<S>& lanes,
-                          Workspace<S>& w) noexcept {
-  for (std::size_t s = 0; s < model.supports.size(); ++s) {
     const auto& contact = state.contact[s];
-    const Vec3<S> d = w.free_direction[s];
-    const Vec3<S> slide = select(contact.sticking, Vec3<S>(), along<S>(w.plane[s], d));
     const auto i = static_cast<std::size_t>(model.supports[s].particle);
-    w.direction[i] = select(lanes, select(contact.touching, slide, d), w.direction[i]);
+    const Vec3<S> on_plane = plane.predicted - plane.excess * plane.push;
+    const Vec3<S> slide = select(contact.sticking, Vec3<S>(), plane.direction - plane.rate * plane.push);
+    w.next[i] = select(lanes, select(contact.touching, on_plane, plane.predicted), w.next[i]);
+    w.direction[i] = select(lanes, select(contact.touching, slide, plane.direction), w.direction[i]);
   }
 }
 
-/// Where a particle would go without its support.
+/// How far outside a particle would be without its support.
 template <Scalar S>
-Vec3<S> unsupported(const Model& model, std::size_t support, const S& multiplier,
-                    const Workspace<S>& w) noexcept {
-  return w.predicted[static_cast<std::size_t>(model.supports[support].particle)] +
-         multiplier * w.free_direction[support];
+S unsupported_excess(const typename Workspace<S>::Plane& plane, const S& multiplier) noexcept {
+  return plane.excess + multiplier * plane.rate;
 }
 
 /// A particle touches where, corrected as if its support were absent, it would be outside: decided again in
-/// the lanes of the mask. Returns true in the lanes where every support keeps its side. (predicted,
-/// free_direction) => contact
+/// the lanes of the mask. Returns true in the lanes where every support keeps its side. (plane) => contact
 template <Scalar S>
 Mask<S> update_touching(const Model& model, const S& multiplier, const Mask<S>& lanes, const Workspace<S>& w,
                         State<S>& state) noexcept {
   Mask<S> settled = S(0.0) < S(1.0);
   for (std::size_t s = 0; s < model.supports.size(); ++s) {
-    const Mask<S> outside = w.plane[s].offset < dot(w.plane[s].normal, unsupported(model, s, multiplier, w));
+    const Mask<S> outside = S(0.0) < unsupported_excess<S>(w.plane[s], multiplier);
     const Mask<S> before = state.contact[s].touching;
     state.contact[s].touching = select(lanes, outside, before);
     settled = Mask<S>(settled & (state.contact[s].touching == before));
@@ -101,7 +86,7 @@ void record_press(const Model& model, const S& multiplier, const Workspace<S>& w
   using std::sqrt;
   for (std::size_t s = 0; s < model.supports.size(); ++s) {
     const auto& plane = w.plane[s];
-    const S excess = dot(plane.normal, unsupported(model, s, multiplier, w)) - plane.offset;
+    const S excess = unsupported_excess<S>(plane, multiplier);
     state.contact[s].press =
         select(state.contact[s].touching, excess / sqrt(dot(plane.normal, plane.normal)), S(0.0));
   }
@@ -109,22 +94,23 @@ void record_press(const Model& model, const S& multiplier, const Workspace<S>& w
 
 /// Coulomb's law for the particles that touched at the last step, with the push of that step (our choice; it
 /// is late by one step): one that would slide less far than friction times the push sticks to the surface,
-/// any other is held back by that much. A push of round-off, as at rest, makes nothing stick. (direction,
-/// contact, multiplier) => predicted, contact
+/// any other is held back by that much. A push of round-off, as at rest, makes nothing stick. (contact,
+/// multiplier) => plane, contact
 template <Scalar S>
 void apply_friction(const Model& model, State<S>& state, Workspace<S>& w) noexcept {
   using std::sqrt;
   const S nothing(1e-300), round_off(1e-13);
   for (std::size_t s = 0; s < model.supports.size(); ++s) {
     auto& contact = state.contact[s];
-    const auto i = static_cast<std::size_t>(model.supports[s].particle);
-    const Vec3<S> carried = state.position[i] + w.plane[s].carried;
-    const Vec3<S> predicted_slide = along<S>(w.plane[s], w.predicted[i] - carried);
-    const Vec3<S> slide = along<S>(w.plane[s], unsupported(model, s, state.multiplier, w) - carried);
+    auto& plane = w.plane[s];
+    const Vec3<S> carried = state.position[static_cast<std::size_t>(model.supports[s].particle)] + plane.carried;
+    const Vec3<S> predicted_slide = along<S>(plane, plane.predicted - carried);
+    const Vec3<S> unsupported = plane.predicted + state.multiplier * plane.direction;
+    const Vec3<S> slide = along<S>(plane, unsupported - carried);
     const S length = sqrt(dot(slide, slide) + nothing), limit = S(model.friction) * contact.press;
     contact.sticking = Mask<S>(contact.touching & (round_off < contact.press) & (length < limit));
     const Vec3<S> held_back = select(contact.sticking, predicted_slide, (limit / length) * slide);
-    w.predicted[i] = select(contact.touching, w.predicted[i] - held_back, w.predicted[i]);
+    plane.predicted = select(contact.touching, plane.predicted - held_back, plane.predicted);
   }
 }
 

@@ -55,7 +55,7 @@ void predict_free_body(const RigidBody& body, const typename State<S>::Body& now
 }  // namespace detail
 
 /// Moves the bodies that can move to the end of the step, with the particles they carry.
-/// (state, force) => body, predicted
+/// (state, force) => body, next
 template <Scalar S>
 void predict_bodies(const Model& model, const State<S>& state, double end_s, Workspace<S>& w) noexcept {
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
@@ -67,12 +67,12 @@ void predict_bodies(const Model& model, const State<S>& state, double end_s, Wor
       const Pose<double> pose = imposed_pose(body, end_s);
       w.body[b].pose = {lift<S>(pose.centre), lift<S>(pose.rotation)};
     }
-    detail::place<S>(model, body, w.body[b].pose, w.predicted);
+    detail::place<S>(model, body, w.body[b].pose, w.next);
   }
 }
 
 /// How a free body moves under a unit of the volume's multiplier: as under the forces dV/dP of the particles
-/// it carries, at the start of the step. (state, area, predicted) => body, direction
+/// it carries, at the start of the step. (state, area, next) => body, direction
 template <Scalar S>
 void calc_body_directions(const Model& model, const State<S>& state, Workspace<S>& w) noexcept {
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
@@ -93,13 +93,13 @@ void calc_body_directions(const Model& model, const State<S>& state, Workspace<S
     next.angular = detail::inverse_inertia_times(body, next.pose.rotation, next.moment);
     for (int row : body.held_rows) {
       const std::size_t i = vertex(row);
-      w.direction[i] = next.linear + cross(next.angular, w.predicted[i] - next.pose.centre);
+      w.direction[i] = next.linear + cross(next.angular, w.next[i] - next.pose.centre);
     }
   }
 }
 
 /// Moves the free bodies by `multiplier` of their directions, as rigid bodies. Returns whether there is any
-/// that the held volume moves. (body, multiplier) => corrected
+/// that the held volume moves. (body, multiplier) => next
 template <Scalar S>
 bool place_corrected_bodies(const Model& model, const S& multiplier, Workspace<S>& w) noexcept {
   bool moved = false;
@@ -109,7 +109,7 @@ bool place_corrected_bodies(const Model& model, const S& multiplier, Workspace<S
     const auto& next = w.body[b];
     const Pose<S> pose{next.pose.centre + multiplier * next.linear,
                        then(next.pose.rotation, small_rotation(multiplier * next.angular))};
-    detail::place<S>(model, body, pose, w.corrected);
+    detail::place<S>(model, body, pose, w.next);
     moved = true;
   }
   return moved;

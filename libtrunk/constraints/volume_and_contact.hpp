@@ -20,33 +20,35 @@ namespace detail {
 /// The volume correction: dV/dP over the effective mass (the paper's eq. 2 for equal masses) along free axes,
 /// at the start of the step, where the forces are taken too (our choice; the paper takes it at the predicted
 /// positions): particles at rest then balance forces and pressure whatever the time step. (state, area) =>
-/// direction, free_direction
+/// direction, plane
 template <Scalar S>
 void calc_direction(const Model& model, const State<S>& state, Workspace<S>& w) noexcept {
   for (const std::size_t i : w.held_moving)
     w.direction[i] = hadamard(w.push_weight[i], S(1.0 / 6.0) * w.reactions.area[i]);
   calc_body_directions(model, state, w);
-  for (std::size_t s = 0; s < model.supports.size(); ++s)
-    w.free_direction[s] = w.direction[static_cast<std::size_t>(model.supports[s].particle)];
+  for (std::size_t s = 0; s < model.supports.size(); ++s) {
+    auto& plane = w.plane[s];
+    plane.direction = w.direction[static_cast<std::size_t>(model.supports[s].particle)];
+    plane.rate = dot(plane.normal, plane.direction);
+  }
 }
 
-/// Volume at corrected + lambda direction. With V(x) = T(x, x, x) and T trilinear and symmetric, the
-/// gradients at x and at d give all four coefficients (Euler's theorem on homogeneous functions).
+/// Volume at next + lambda direction. (next, direction) => coefficients
 template <Scalar S>
-VolumeCubic<S> volume_along_direction(const RingTable& rings, const Workspace<S>& w) noexcept {
+VolumeCubic<S> volume_along_direction(const Workspace<S>& w) noexcept {
   Vec3<S> c0, c1, c2, c3;
-  for_each_ring(rings, [&]<std::size_t Valence>(std::size_t, std::size_t i,
-                                                std::span<const Neighbour, Valence> neighbours) {
-    const Vec3<S> x = w.corrected[i], d = w.direction[i];
-    const Vec3<S> at_x = twice_area<S>(RingPositions<S, Valence>{neighbours, w.corrected});
-    const Vec3<S> at_d = twice_area<S>(RingPositions<S, Valence>{neighbours, w.direction});
-    c0 += hadamard(at_x, x);
-    c1 += hadamard(at_x, d);
-    c2 += hadamard(at_d, x);
-    c3 += hadamard(at_d, d);
+  for_each_ring(w.held_fans, [&]<std::size_t Valence>(std::size_t, std::size_t centre,
+                                                      std::span<const Neighbour, Valence> polygon) {
+    const Vec3<S> x = w.next[centre], d = w.direction[centre];
+    const AreaAlong<S> area = twice_area_along<S>(RingPositions<S, Valence>{polygon, w.next},
+                                                  RingPositions<S, Valence>{polygon, w.direction});
+    c0 += hadamard(area.at, x);
+    c1 += hadamard(area.at, d) + hadamard(area.change, x);
+    c2 += hadamard(area.along, x) + hadamard(area.change, d);
+    c3 += hadamard(area.along, d);
   });
   const auto sixth = [](const Vec3<S>& a) { return S(1.0 / 6.0) * (a.x() + a.y() + a.z()); };
-  return {S(1.0 / 3.0) * sixth(c0), sixth(c1), sixth(c2), S(1.0 / 3.0) * sixth(c3)};
+  return {S(w.held_still) + sixth(c0), sixth(c1), sixth(c2), sixth(c3)};
 }
 
 /// True where no multiplier fits between the bounds but round-off: a particle touches without any force, and
@@ -59,30 +61,28 @@ Mask<S> bracket_is_point(const S& low, const S& high) noexcept {
 }
 
 /// Free bodies turn where the correction of their particles was straight: they are put back to their shape,
-/// and the volume that this takes, of second order in a small turn, is restored. (predicted, direction) =>
-/// corrected
+/// and the volume that this takes, of second order in a small turn, is restored. (body, direction) => next
 template <Scalar S>
 S restore_rigid_bodies(const Model& model, const S& target, const S& slope, S multiplier,
                        Workspace<S>& w) noexcept {
   constexpr int corrections = 3;  // each leaves about 1e-5 of the one before
   for (int n = 0; place_corrected_bodies(model, multiplier, w) && n < corrections; ++n) {
-    const S volume = enclosed_volume<S>(model.abdomen.triangles, w.corrected);
+    const S volume = enclosed_volume<S>(model.abdomen.triangles, w.next);
     const S change = (target - volume) / slope;
-    for (const std::size_t i : w.held_moving) w.corrected[i] += change * w.direction[i];
+    for (const std::size_t i : w.held_moving) w.next[i] += change * w.direction[i];
     multiplier = multiplier + change;
   }
   return multiplier;
 }
 
-/// Nothing holds this body's volume: contact alone. (predicted, contact) => corrected, contact
+/// Nothing holds this body's volume: contact alone. (plane, contact) => next, contact
 template <Scalar S>
 Projection<S> project_supports(const Model& model, State<S>& state, Workspace<S>& w) noexcept {
   const S none(0.0);
   const Mask<S> everywhere = S(0.0) < S(1.0);
   if (model.friction > 0.0) apply_friction(model, state, w);
-  w.corrected = w.predicted;
   update_touching(model, none, everywhere, w, state);
-  project_onto_supports(model, state, everywhere, w);
+  rest_on_supports(model, state, everywhere, w);
   if (model.friction > 0.0) record_press(model, none, w, state);
   return {none, everywhere};
 }
@@ -101,22 +101,19 @@ void calc_held_areas(const Model& model, const State<S>& state, Workspace<S>& w)
 /// direction of `calc_direction`. V(x(lambda)) increases with lambda piece by piece, a cubic each; the search
 /// for the right piece starts from the last step's, takes the root of each piece, and halves the bracket
 /// where that leaves it. A lane that has arrived stays as it is while others search on: it does what it would
-/// do alone. (predicted, area, state) => corrected, state.contact
+/// do alone. (next, plane, area) => next, contact
 template <Scalar S>
 Projection<S> project_volume_and_supports(const Model& model, const S& target, State<S>& state,
                                           Workspace<S>& w) noexcept {
   constexpr int max_searches = 64;
-  const RingTable& rings = model.abdomen.rings;
-  if (rings.size() == 0) return detail::project_supports(model, state, w);
+  if (model.abdomen.rings.size() == 0) return detail::project_supports(model, state, w);
   S low(-1e300), high(1e300), multiplier(0.0), slope(1.0);
   Mask<S> searching = w.running;
   detail::calc_direction(model, state, w);
   if (model.friction > 0.0) detail::apply_friction(model, state, w);
-  w.corrected = w.predicted;
   for (int search = 0; search < max_searches && any(searching); ++search) {
-    detail::project_onto_supports(model, state, searching, w);
-    detail::slide_along_supports(model, state, searching, w);
-    const VolumeCubic<S> cubic = detail::volume_along_direction(rings, w);
+    detail::rest_on_supports(model, state, searching, w);
+    const VolumeCubic<S> cubic = detail::volume_along_direction(w);
     Mask<S> reached = S(1.0) < S(0.0);
     if (search > 0) {
       const S excess = cubic(multiplier) - target;
@@ -135,7 +132,7 @@ Projection<S> project_volume_and_supports(const Model& model, const S& target, S
     const Mask<S> kept = detail::update_touching(model, multiplier, searching, w, state);
     searching = Mask<S>(searching & !(reached | (accepted & (kept | exhausted))));
   }
-  for (const std::size_t i : w.held_moving) w.corrected[i] += multiplier * w.direction[i];
+  for (const std::size_t i : w.held_moving) w.next[i] += multiplier * w.direction[i];
   if (model.friction > 0.0) detail::record_press(model, multiplier, w, state);
   multiplier = detail::restore_rigid_bodies(model, target, slope, multiplier, w);
   return {multiplier, Mask<S>(finite(multiplier) & !searching)};

@@ -26,13 +26,8 @@ Summary ended(Summary::Status status, int step, double time_s) {
   return {status, step, time_s, message()};
 }
 
-LungGain::LungGain(const Model& model) {
-  const std::vector<bool> still = still_particles(model);
-  for (const Triangle& t : model.lung)
-    if (!std::all_of(t.begin(), t.end(), [&](int i) { return still[static_cast<std::size_t>(i)]; }))
-      moving_.push_back(t);
-  start_ = enclosed_volume<double>(moving_, model.rest);
-}
+LungGain::LungGain(const Model& model)
+    : moving_(moving(model.lung_fans, model)), start_(volume_of_fans<double>(moving_, model.rest)) {}
 
 void require_lung(double lowest_volume, Summary& summary) {
   if (!summary.completed() || lowest_volume > 0.0) return;

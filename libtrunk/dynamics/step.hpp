@@ -38,22 +38,20 @@ void calc_forces(const Model& model, const Parameters<S>& parameters, const S& a
 }
 
 /// Semi-implicit Euler with implicit damping (our choice): v' = (m v + dt F) / (m + dt c), x' = x + dt v'.
-/// With centred damping: v' = ((m - dt c / 2) v + dt F) / (m + dt c / 2).
-/// (state, force) => predicted
+/// With centred damping: v' = ((m - dt c / 2) v + dt F) / (m + dt c / 2). Both with dt v for how far a
+/// particle moved in the last step. (state, force) => next
 template <Scalar S>
 void predict(const State<S>& state, Workspace<S>& w) noexcept {
-  for (std::size_t i = 0; i < state.position.size(); ++i)
-    w.predicted[i] = state.position[i] + (hadamard(w.velocity_weight[i], state.velocity[i]) +
-                                          hadamard(w.force_weight[i], w.force[i]));
+  for (const std::size_t i : w.moving)
+    w.next[i] = state.position[i] + (hadamard(w.retained[i], state.position[i] - state.previous[i]) +
+                                     hadamard(w.force_weight[i], w.force[i]));
 }
 
-/// Velocities are what the constraints let through. (corrected, body) => state
+/// Where the constraints let particles and bodies go is where they are. (next, body) => state
 template <Scalar S>
 void accept(const Model& model, const S& multiplier, Workspace<S>& w, State<S>& state) noexcept {
-  const S rate(1.0 / w.dt_s);
-  for (std::size_t i = 0; i < state.position.size(); ++i)
-    state.velocity[i] = rate * (w.corrected[i] - state.position[i]);
-  std::swap(state.position, w.corrected);
+  std::swap(state.previous, state.position);
+  std::swap(state.position, w.next);
   accept_bodies(model, multiplier, w, state);
   state.multiplier = multiplier;
   state.time_s += w.dt_s;
@@ -68,7 +66,7 @@ StepReport<S> step(const Model& model, const Parameters<S>& parameters, const S&
   predict(state, w);
   const double end_s = state.time_s + w.dt_s;
   predict_bodies(model, state, end_s, w);
-  impose_displacements<S>(model, end_s, w.predicted);
+  impose_displacements<S>(model, end_s, w.next);
   calc_planes(model, state, w);
   const double fraction = model.abdomen.target.empty() ? 1.0 : model.abdomen.target(end_s);
   const Projection<S> projection =

@@ -25,12 +25,12 @@ class LungGain {
   /// position: [particles] m
   template <Scalar S>
   S of(std::span<const Vec3<S>> position) const noexcept {
-    return enclosed_volume<S>(moving_, position) - S(start_);
+    return volume_of_fans<S>(moving_, position) - S(start_);
   }
 
  private:
-  std::vector<Triangle> moving_;
-  double start_;  // m3, what they enclose with the origin at rest
+  RingTable moving_;  // fans
+  double start_;      // m3, what they enclose with the origin at rest
 };
 
 /// Lung volume above its start at every step that was reached, m3.

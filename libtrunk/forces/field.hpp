@@ -8,7 +8,9 @@ namespace trunk {
 /// damping -c v, is taken implicitly by the integrator. () => force
 template <Scalar S>
 void set_gravity(const Model& model, std::span<Vec3<S>> force) noexcept {
-  for (std::size_t i = 0; i < model.particles(); ++i) force[i] = S(model.mass[i]) * lift<S>(model.gravity);
+  const Vec3<S> gravity = lift<S>(model.gravity);
+  const std::span<const double> mass = model.mass;
+  for (std::size_t i = 0; i < mass.size(); ++i) force[i] = S(mass[i]) * gravity;
 }
 
 }  // namespace trunk

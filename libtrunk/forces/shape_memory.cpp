@@ -73,8 +73,8 @@ ShapeMemory make_shape_memory(const Surface& surface, std::span<const Vec3d> res
 }
 
 void spare_still_particles(const std::vector<bool>& still, ShapeMemory& memory) {
-  memory.receiving =
-      only_around(memory.rings, [&](int particle) { return !still[static_cast<std::size_t>(particle)]; });
+  memory.receiving = only_those(
+      memory.rings, [&](int particle, auto) { return !still[static_cast<std::size_t>(particle)]; });
 }
 
 }  // namespace trunk

@@ -25,8 +25,8 @@ std::vector<int> particles(std::span<const Neighbour> ring) {
 
 }  // namespace
 
-RingTable ring_table(const Surface& surface) {
-  std::vector<Surface::OneRing> rings(surface.one_rings().begin(), surface.one_rings().end());
+RingTable ring_table(std::span<const Surface::OneRing> some) {
+  std::vector<Surface::OneRing> rings(some.begin(), some.end());
   std::stable_sort(rings.begin(), rings.end(),
                    [](const auto& a, const auto& b) { return a.neighbours.size() < b.neighbours.size(); });
   RingTable table;
@@ -34,10 +34,11 @@ RingTable ring_table(const Surface& surface) {
   return table;
 }
 
-RingTable only_around(const RingTable& table, const std::function<bool(int)>& wanted) {
+RingTable only_those(const RingTable& table,
+                     const std::function<bool(int, std::span<const Neighbour>)>& wanted) {
   RingTable result;
   for_each_ring(table, [&](std::size_t, std::size_t vertex, auto ring) {
-    if (wanted(static_cast<int>(vertex))) append(static_cast<int>(vertex), particles(ring), result);
+    if (wanted(static_cast<int>(vertex), ring)) append(static_cast<int>(vertex), particles(ring), result);
   });
   return result;
 }

@@ -46,10 +46,12 @@ struct RingTable {
   std::size_t size() const noexcept { return vertex.size(); }
 };
 
-RingTable ring_table(const Surface& surface);
+RingTable ring_table(std::span<const Surface::OneRing> rings);
+inline RingTable ring_table(const Surface& surface) { return ring_table(surface.one_rings()); }
 
-/// The rings around the particles for which `wanted(particle)` holds, in the same order.
-RingTable only_around(const RingTable& table, const std::function<bool(int)>& wanted);
+/// The rings for which `wanted(vertex, neighbours)` holds, in the same order.
+RingTable only_those(const RingTable& table,
+                     const std::function<bool(int, std::span<const Neighbour>)>& wanted);
 
 /// Whether every ring of `some` is one of `all`, wherever it begins.
 bool contains(const RingTable& all, const RingTable& some);

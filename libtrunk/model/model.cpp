@@ -100,6 +100,24 @@ std::vector<bool> still_particles(const Model& model) {
   return still;
 }
 
+RingTable moving(const RingTable& fans, const Model& model) {
+  const std::vector<bool> still = still_particles(model);
+  const auto moves = [&](int particle) { return !still[static_cast<std::size_t>(particle)]; };
+  return only_those(fans, [&](int centre, std::span<const Neighbour> polygon) {
+    return moves(centre) ||
+           std::any_of(polygon.begin(), polygon.end(), [&](Neighbour n) { return moves(n.particle()); });
+  });
+}
+
+HeldVolume held_volume(const Surface& surface, std::span<const Vec3d> rest) {
+  const std::span<const Triangle> triangles = surface.triangles();
+  return {{triangles.begin(), triangles.end()},
+          ring_table(surface),
+          fans(triangles),
+          enclosed_volume<double>(triangles, rest),
+          {}};
+}
+
 void require_valid(const Model& model) {
   require_particles(model);
   require_shape_memory(model);
@@ -108,7 +126,7 @@ void require_valid(const Model& model) {
           fmt::format("the abdominal compartment encloses {:.4g} ml at rest; expected a positive volume "
                       "(triangles counter-clockwise seen from outside)",
                       1e6 * model.abdomen.rest));
-  const double lung = enclosed_volume<double>(model.lung, model.rest);
+  const double lung = volume_of_fans<double>(model.lung_fans, model.rest);
   require(lung > 0,
           fmt::format("the lung encloses {:.4g} ml at rest; expected a positive volume", 1e6 * lung));
 }

@@ -5,8 +5,8 @@
 
 #include "math/piecewise_linear.hpp"
 #include "math/vec3.hpp"
+#include "mesh/fans.hpp"
 #include "mesh/surface.hpp"
-#include "mesh/volume.hpp"
 
 namespace trunk {
 
@@ -101,6 +101,7 @@ struct MembraneEdge {
 struct HeldVolume {
   std::vector<Triangle> triangles;
   RingTable rings;
+  RingTable fans;          // of the triangles
   double rest = 0.0;       // m3
   PiecewiseLinear target;  // fraction of rest; empty: 1 at all times
 };
@@ -124,6 +125,7 @@ struct Model {
   std::vector<ImposedDisplacement> imposed_displacements;
   std::vector<PressureLoad> pressures;
   std::vector<Triangle> lung;  // closed, measured only
+  RingTable lung_fans;
 
   std::size_t particles() const noexcept { return rest.size(); }
 };
@@ -136,6 +138,12 @@ void carry(RigidBody body, Model& model);
 /// True for the particles that nothing moves: held along all axes, and neither carried by a body that moves
 /// nor displaced by what is imposed.
 std::vector<bool> still_particles(const Model& model);
+
+/// The fans of which something moves a particle.
+RingTable moving(const RingTable& fans, const Model& model);
+
+/// The volume that a surface encloses at rest, to be held.
+HeldVolume held_volume(const Surface& surface, std::span<const Vec3d> rest);
 
 /// Throws InputError, naming what is wrong, unless sizes agree, indices exist, numbers are finite, masses are
 /// positive, weights are not negative and both surfaces enclose a positive volume.

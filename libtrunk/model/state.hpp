@@ -24,7 +24,7 @@ Vec3<S> placed(const RigidBody& body, const Pose<S>& pose, const Vec3d& rest) no
 template <Scalar S>
 struct State {
   std::vector<Vec3<S>> position;  // [particles] m
-  std::vector<Vec3<S>> velocity;  // [particles] m/s
+  std::vector<Vec3<S>> previous;  // [particles] m, a step earlier: it is how they move
   struct Contact {
     Mask<S> touching;
     Mask<S> sticking;  // held by friction
@@ -42,12 +42,18 @@ struct State {
   double time_s = 0.0;
 };
 
+/// The mean velocity of a particle in the last step, of dt_s, m/s.
+template <Scalar S>
+Vec3<S> velocity(const State<S>& state, std::size_t particle, double dt_s) noexcept {
+  return S(1.0 / dt_s) * (state.position[particle] - state.previous[particle]);
+}
+
 /// At rest, at time 0.
 template <Scalar S>
 State<S> rest_state(const Model& model) {
   State<S> state;
   for (const Vec3d& p : model.rest) state.position.push_back(lift<S>(p));
-  state.velocity.resize(model.particles());
+  state.previous = state.position;
   const Mask<S> nowhere = S(1.0) < S(0.0);
   state.contact.resize(model.supports.size(), {nowhere, nowhere, S(0.0)});
   for (const RigidBody& body : model.bodies) state.body.push_back({{lift<S>(body.centre), {}}, {}, {}});

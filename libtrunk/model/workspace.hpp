@@ -35,25 +35,29 @@ struct Workspace {
   // (model, parameters, dt) => constant during a run
   bool elastic_volume = false;  // the held volume's surface is elastic: its rings' areas come with the forces
   std::vector<S> ring_stiffness;         // [rings] N/m
-  std::vector<std::size_t> held_moving;  // particles around the held volume that can move
-  // What a step makes of a particle's velocity, s, of the force on it, s2/kg, and of a push by the
-  // constraints, 1/kg, along its free axes. With M = m + dt c and m' = m, or centred M = m + dt c / 2 and m'
-  // = m - dt c / 2: dt m' / M, dt^2 / M and 1 / M.
-  std::vector<Vec3<S>> velocity_weight, force_weight, push_weight;  // [particles]
+  std::vector<std::size_t> moving;       // particles that something can move
+  std::vector<std::size_t> held_moving;  // those around the held volume
+  RingTable held_fans;                   // of the triangles around it that can move
+  double held_still = 0.0;               // m3, what the others add to it
+  // What a step makes of how far a particle moved in the last one, of the force on it, s2/kg, and of a push
+  // by the constraints, 1/kg, along its free axes. With M = m + dt c and m' = m, or centred M = m + dt c / 2
+  // and m' = m - dt c / 2: m' / M, dt^2 / M and 1 / M.
+  std::vector<Vec3<S>> retained, force_weight, push_weight;  // [particles]
 
   // scratch of one step
   std::vector<Vec3<S>> force;  // [particles] N
   RingReactions<S> reactions;
-  std::vector<Vec3<S>> predicted;       // [particles] m, before the constraints
-  std::vector<Vec3<S>> corrected;       // [particles] m, with the supports, then with the volume
-  std::vector<Vec3<S>> direction;       // [particles] m per unit of the volume's multiplier
-  std::vector<Vec3<S>> free_direction;  // [supports] direction of a particle as if its support were absent
+  std::vector<Vec3<S>> next;       // [particles] m, as predicted, then put right by the constraints
+  std::vector<Vec3<S>> direction;  // [particles] m per unit of the volume's multiplier
 
-  /// The tangent plane of a support where its particle is: normal . x <= offset; normal . push = 1.
+  /// The tangent plane of a support where its particle is, and what becomes of that particle as if the
+  /// support were absent: inside is where normal . (x - predicted) + excess <= 0; normal . push = 1.
   struct Plane {
     Vec3<S> normal, push;
-    S offset;
-    Vec3<S> carried;  // m, how far the surface itself moved there in this step
+    Vec3<S> carried;    // m, how far the surface itself moved there in this step
+    Vec3<S> predicted;  // m
+    Vec3<S> direction;  // m per unit of the volume's multiplier
+    S excess{0.0}, rate{0.0};  // how far outside predicted is, and grows a unit of the multiplier
   };
   std::vector<Plane> plane;  // [supports]
 
@@ -93,19 +97,21 @@ Workspace<S> make_workspace(const Model& model, const Parameters<S>& parameters,
     const auto along_free_axes = [&](const S& weight) {
       return scaled(model.mobility[i], Vec3<S>{weight, weight, weight});
     };
-    w.velocity_weight.push_back(along_free_axes(dt * kept));
+    w.retained.push_back(along_free_axes(kept));
     w.force_weight.push_back(along_free_axes(dt * dt * per_mass));
     w.push_weight.push_back(along_free_axes(per_mass));
   }
   w.force.resize(model.particles());
   w.reactions.resize(model.particles());
-  w.predicted.resize(model.particles());
-  w.corrected.resize(model.particles());
+  for (const Vec3d& p : model.rest) w.next.push_back(lift<S>(p));  // where what is still stays
   w.direction.resize(model.particles());
   const std::vector<bool> still = still_particles(model);
+  for (std::size_t i = 0; i < still.size(); ++i)
+    if (!still[i]) w.moving.push_back(i);
   for (const int vertex : model.abdomen.rings.vertex)
     if (!still[static_cast<std::size_t>(vertex)]) w.held_moving.push_back(static_cast<std::size_t>(vertex));
-  w.free_direction.resize(model.supports.size());
+  w.held_fans = moving(model.abdomen.fans, model);
+  w.held_still = model.abdomen.rest - volume_of_fans<double>(w.held_fans, model.rest);
   w.plane.resize(model.supports.size());
   for (const RigidBody& body : model.bodies) {
     const S mass(body.mass), effective_mass = mass + damped_later(body.damping_weight);

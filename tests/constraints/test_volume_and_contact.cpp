@@ -15,32 +15,33 @@ struct Projected {
   const Model& model;
   State<double> state = rest_state<double>(model);
   Workspace<double> w = make_workspace(model, Parameters<double>{4000.0, 30.0, 20.0}, 1e-3);
+  std::vector<Vec3d> predicted;
   Projection<double> result{};
 
-  Projected(const Model& m, const std::vector<Vec3d>& predicted, double fraction) : model(m) {
-    w.predicted = predicted;
+  Projected(const Model& m, const std::vector<Vec3d>& x, double fraction) : model(m), predicted(x) {
     project(fraction);
   }
   void project(double fraction) {
+    w.next = predicted;
     calc_planes(model, state, w);
     calc_ring_areas<double>(model.abdomen.rings, state.position, w.reactions.area);
     result = project_volume_and_supports(model, fraction * model.abdomen.rest, state, w);
   }
   double volume_error(double fraction) const {
-    return std::abs(enclosed_volume<double>(model.abdomen.triangles, w.corrected) /
+    return std::abs(enclosed_volume<double>(model.abdomen.triangles, w.next) /
                         (fraction * model.abdomen.rest) -
                     1.0);
   }
   Vec3d correction(const Support& s) const {
     const auto i = static_cast<std::size_t>(s.particle);
-    return w.corrected[i] - w.predicted[i];
+    return w.next[i] - predicted[i];
   }
   /// Beyond the plane that stands for the rib surface in this step; the surface itself is in
   /// test_contact.cpp.
   double depth(std::size_t s) const {
     const auto& plane = w.plane[s];
-    return dot(plane.normal, w.corrected[static_cast<std::size_t>(model.supports[s].particle)]) -
-           plane.offset;
+    const auto i = static_cast<std::size_t>(model.supports[s].particle);
+    return dot(plane.normal, w.next[i] - plane.predicted) + plane.excess;
   }
 };
 
@@ -83,11 +84,11 @@ TEST_CASE("Held particles and held axes are left where they are", "[property][co
   for (std::size_t i = 0; i < x.size(); ++i)
     if (dot(trunk.model.mobility[i], trunk.model.mobility[i]) == 0.0) {
       ++held;
-      CHECK(norm(p.w.corrected[i] - x[i]) == 0.0);
+      CHECK(norm(p.w.next[i] - x[i]) == 0.0);
     }
   CHECK(held > 40);
-  CHECK(p.w.corrected[dome].y() == x[dome].y());
-  CHECK(p.w.corrected[dome].z() != x[dome].z());
+  CHECK(p.w.next[dome].y() == x[dome].y());
+  CHECK(p.w.next[dome].z() != x[dome].z());
 }
 
 TEST_CASE("The correction is along the volume gradient over the effective mass", "[unit][constraints]") {
@@ -102,7 +103,7 @@ TEST_CASE("The correction is along the volume gradient over the effective mass",
     const auto i = static_cast<std::size_t>(vertex);
     const double effective_mass = model.mass[i] + 1e-3 * 20.0;
     const Vec3d expected = (p.result.multiplier / 6.0 / effective_mass) * p.w.reactions.area[i];
-    CHECK(norm(p.w.corrected[i] - mesh.position[i] - expected) < 1e-13);
+    CHECK(norm(p.w.next[i] - mesh.position[i] - expected) < 1e-13);
   }
   CHECK(p.result.multiplier > 0.0);  // growing takes a positive pressure
 }
@@ -130,7 +131,7 @@ TEST_CASE("With supports: no penetration, the exact volume, and no pull", "[prop
         const Vec3d normal = (1.0 / norm(p.w.plane[s].normal)) * p.w.plane[s].normal;
         deepest = std::max(deepest, depth);
         REQUIRE(depth < 1e-15);
-        const Vec3d unsupported = p.result.multiplier * p.w.free_direction[s];
+        const Vec3d unsupported = p.result.multiplier * p.w.plane[s].direction;
         const Vec3d push = p.correction(support) - unsupported;
         // Complementarity: either on the plane and pushed inward, or free of it and not pushed at all.
         if (p.state.contact[s].touching) {

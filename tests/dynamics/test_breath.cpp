@@ -51,7 +51,7 @@ std::vector<double> bits_of_breath(const Scenario& scenario) {
              numbers.push_back(activation);
              numbers.push_back(report.pressure_Pa);
              for (const Vec3d& p : state.position) numbers.insert(numbers.end(), {p.x(), p.y(), p.z()});
-             for (const Vec3d& v : state.velocity) numbers.insert(numbers.end(), {v.x(), v.y(), v.z()});
+             for (const Vec3d& p : state.previous) numbers.insert(numbers.end(), {p.x(), p.y(), p.z()});
            });
   return numbers;
 }

@@ -22,23 +22,23 @@ struct FreeFlight {
         w(make_workspace(model, parameters, dt_s)) {
     Random random(61);
     for (Vec3d& p : state.position) p += random.vector(0.004);
-    for (Vec3d& v : state.velocity) v = random.vector(0.2) + Vec3d{0.3, -0.2, 0.1};
+    for (std::size_t i = 0; i < state.position.size(); ++i)
+      state.previous[i] = state.position[i] - dt_s * (random.vector(0.2) + Vec3d{0.3, -0.2, 0.1});
   }
   void advance() {
     calc_forces(model, parameters, 0.0, state, w);
     predict(state, w);
-    w.corrected = w.predicted;
     accept(model, 0.0, w, state);
   }
   std::vector<Vec3d> momenta() const {
     std::vector<Vec3d> result;
-    for (std::size_t i = 0; i < model.particles(); ++i) result.push_back(model.mass[i] * state.velocity[i]);
+    for (std::size_t i = 0; i < model.particles(); ++i) result.push_back(model.mass[i] * velocity(state, i, w.dt_s));
     return result;
   }
   double energy() const {
     double sum = shape_memory_energy(model.shape_memory, w.ring_stiffness, state.position);
     for (std::size_t i = 0; i < model.particles(); ++i)
-      sum += 0.5 * model.mass[i] * dot(state.velocity[i], state.velocity[i]);
+      sum += 0.5 * model.mass[i] * dot(velocity(state, i, w.dt_s), velocity(state, i, w.dt_s));
     return sum;
   }
 };

@@ -23,7 +23,7 @@ void append_numbers(const State<S>& state, const StepReport<S>& report, int lane
     for (const S& number : {a.x(), a.y(), a.z()}) numbers.push_back(in_lane(number, lane));
   };
   for (const Vec3<S>& x : state.position) append(x);
-  for (const Vec3<S>& v : state.velocity) append(v);
+  for (const Vec3<S>& x : state.previous) append(x);
   for (const auto& contact : state.contact) {
     numbers.push_back(in_lane(contact.touching, lane));
     numbers.push_back(in_lane(contact.sticking, lane));
@@ -134,18 +134,18 @@ TEST_CASE("Searches for contacts end each in its own time, to the bit", "[proper
     for (std::size_t lane = 0; lane < 4; ++lane) {
       const double size = sizes[random.bits() % std::size(sizes)];
       for (std::size_t i = 0; i < model.particles(); ++i)
-        ws[lane].predicted[i] = model.rest[i] + scaled(model.mobility[i], random.vector(size));
+        ws[lane].next[i] = model.rest[i] + scaled(model.mobility[i], random.vector(size));
       for (auto& contact : states[lane].contact) contact.touching = random.unit() < 0.5;
     }
     for (std::size_t i = 0; i < model.particles(); ++i) {
       Four xyz[3];
       for (std::size_t lane = 0; lane < 4; ++lane) {
-        const Vec3d& x = ws[lane].predicted[i];
+        const Vec3d& x = ws[lane].next[i];
         const double numbers[] = {x.x(), x.y(), x.z()};
         for (std::size_t axis = 0; axis < 3; ++axis)
           set_lane(xyz[axis], static_cast<int>(lane), numbers[axis]);
       }
-      w.predicted[i] = {xyz[0], xyz[1], xyz[2]};
+      w.next[i] = {xyz[0], xyz[1], xyz[2]};
     }
     for (std::size_t s = 0; s < state.contact.size(); ++s) {
       LaneMask<4>::Register touching{};
@@ -169,9 +169,9 @@ TEST_CASE("Searches for contacts end each in its own time, to the bit", "[proper
       }
       double apart = 0.0;
       for (std::size_t i = 0; i < model.particles(); ++i)
-        apart = std::max(apart, norm(Vec3d{in_lane(w.corrected[i].x(), l), in_lane(w.corrected[i].y(), l),
-                                           in_lane(w.corrected[i].z(), l)} -
-                                     ws[lane].corrected[i]));
+        apart = std::max(apart, norm(Vec3d{in_lane(w.next[i].x(), l), in_lane(w.next[i].y(), l),
+                                           in_lane(w.next[i].z(), l)} -
+                                     ws[lane].next[i]));
       REQUIRE(apart == 0.0);
     }
   }

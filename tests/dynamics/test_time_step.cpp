@@ -43,7 +43,10 @@ Summary run_at(const Model& model, const Parameters<double>& parameters, double 
   return simulate(model, parameters, full, {dt_s, steps * dt_s},
                   [&](int n, double, const State<double>& state, const StepReport<double>&) {
                     double speed2 = 0.0;
-                    for (const Vec3d& v : state.velocity) speed2 += dot(v, v);
+                    for (std::size_t i = 0; i < model.particles(); ++i) {
+                      const Vec3d v = velocity(state, i, dt_s);
+                      speed2 += dot(v, v);
+                    }
                     if (n == 1) first = speed2;
                     if (last_energy_over_first) *last_energy_over_first = speed2 / first;
                   });

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "mesh/volume.hpp"
+#include "mesh/fans.hpp"
 #include "support/trunks.hpp"
 
 using namespace trunk;
@@ -116,5 +116,41 @@ TEST_CASE("The volume gradient gives three times the volume along the position",
     double sum = 0.0;
     for (std::size_t i = 0; i < gradient.size(); ++i) sum += dot(gradient[i], mesh.position[i]);
     CHECK(sum == Approx(3.0 * volume_of(mesh)).epsilon(1e-12));
+  }
+}
+
+TEST_CASE("Fans take every triangle once, and their volume is that of the triangles", "[property][mesh]") {
+  Random random(14);
+  for (Mesh mesh : closed_meshes()) {
+    INFO(mesh.name);
+    mesh.position = deformed(mesh.position, 0.02, random);
+    const RingTable table = fans(mesh.triangles);
+    CHECK(table.size() < mesh.triangles.size() / 2);
+    CHECK(volume_of_fans<double>(table, mesh.position) == Approx(volume_of(mesh)).epsilon(1e-12));
+    // Any part of a surface, whose volume depends on where the origin is.
+    std::vector<Triangle> part;
+    for (const Triangle& t : mesh.triangles)
+      if (random.unit() < 0.6) part.push_back(t);
+    CHECK(volume_of_fans<double>(fans(part), mesh.position) ==
+          Approx(enclosed_volume<double>(part, mesh.position)).epsilon(1e-10).margin(1e-10));
+  }
+  CHECK(fans({}).size() == 0);
+}
+
+TEST_CASE("The area along moving corners is the area where they are", "[unit][mesh]") {
+  Random random(15);
+  for (const std::size_t corners : {4U, 6U, 8U}) {
+    std::vector<Vec3d> n, d;
+    for (std::size_t i = 0; i < corners; ++i) {
+      n.push_back(random.vector(1.0));
+      d.push_back(random.vector(1.0));
+    }
+    const AreaAlong<double> area = twice_area_along<double>(n, d);
+    for (const double lambda : {-2.0, 0.0, 0.5, 3.0}) {
+      std::vector<Vec3d> moved = n;
+      for (std::size_t i = 0; i < corners; ++i) moved[i] += lambda * d[i];
+      const Vec3d found = area.at + lambda * area.change + (lambda * lambda) * area.along;
+      CHECK(norm(found - twice_area<double>(moved)) < 1e-13 * (1.0 + lambda * lambda));
+    }
   }
 }

@@ -62,13 +62,13 @@ inline Model free_body(const Mesh& mesh, Reaction reaction, double mass) {
   const std::vector<double> one(n, 1.0), none(n, 0.0);
   model.shape_memory = make_shape_memory(mesh.surface(), mesh.position, one, none, reaction);
   model.lung = mesh.triangles;
+  model.lung_fans = fans(mesh.triangles);
   return model;
 }
 
 /// Adds a volume to hold to a body made of that mesh.
 inline void hold_volume(const Mesh& mesh, Model& model) {
-  model.abdomen = {
-      mesh.triangles, ring_table(mesh.surface()), enclosed_volume<double>(mesh.triangles, mesh.position), {}};
+  model.abdomen = held_volume(mesh.surface(), mesh.position);
 }
 
 /// How far outside of its support's surface a particle is, m (to second order); negative inside.
