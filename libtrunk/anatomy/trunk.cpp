@@ -151,7 +151,7 @@ Trunk make_trunk(const TrunkMesh& mesh, const Tissue& tissue, Reaction reaction,
   for (int i : mesh.named("fixed")) model.mobility[index(i)] = {0.0, 0.0, 0.0};
   add_rigid_parts(mesh, tissue, parts, model);
   stiffen_held(tissue.held_stiffness, model);
-  spare_still_particles(still_particles(model), model.shape_memory);
+  leave_out_unpushed(pushed_particles(model), model.shape_memory);
   require_valid(model);
   return trunk;
 }

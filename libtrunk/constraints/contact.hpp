@@ -103,7 +103,8 @@ void apply_friction(const Model& model, State<S>& state, Workspace<S>& w) noexce
   for (std::size_t s = 0; s < model.supports.size(); ++s) {
     auto& contact = state.contact[s];
     auto& plane = w.plane[s];
-    const Vec3<S> carried = state.position[static_cast<std::size_t>(model.supports[s].particle)] + plane.carried;
+    const Vec3<S> carried =
+        state.position[static_cast<std::size_t>(model.supports[s].particle)] + plane.carried;
     const Vec3<S> predicted_slide = along<S>(plane, plane.predicted - carried);
     const Vec3<S> unsupported = plane.predicted + state.multiplier * plane.direction;
     const Vec3<S> slide = along<S>(plane, unsupported - carried);

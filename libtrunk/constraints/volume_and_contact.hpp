@@ -23,8 +23,9 @@ namespace detail {
 /// direction, plane
 template <Scalar S>
 void calc_direction(const Model& model, const State<S>& state, Workspace<S>& w) noexcept {
-  for (const std::size_t i : w.held_moving)
+  for_all(w.held_pushed, [&](std::size_t i) {
     w.direction[i] = hadamard(w.push_weight[i], S(1.0 / 6.0) * w.reactions.area[i]);
+  });
   calc_body_directions(model, state, w);
   for (std::size_t s = 0; s < model.supports.size(); ++s) {
     auto& plane = w.plane[s];
@@ -69,7 +70,7 @@ S restore_rigid_bodies(const Model& model, const S& target, const S& slope, S mu
   for (int n = 0; place_corrected_bodies(model, multiplier, w) && n < corrections; ++n) {
     const S volume = enclosed_volume<S>(model.abdomen.triangles, w.next);
     const S change = (target - volume) / slope;
-    for (const std::size_t i : w.held_moving) w.next[i] += change * w.direction[i];
+    for_all(w.held_pushed, [&](std::size_t i) { w.next[i] += change * w.direction[i]; });
     multiplier = multiplier + change;
   }
   return multiplier;
@@ -132,7 +133,7 @@ Projection<S> project_volume_and_supports(const Model& model, const S& target, S
     const Mask<S> kept = detail::update_touching(model, multiplier, searching, w, state);
     searching = Mask<S>(searching & !(reached | (accepted & (kept | exhausted))));
   }
-  for (const std::size_t i : w.held_moving) w.next[i] += multiplier * w.direction[i];
+  for_all(w.held_pushed, [&](std::size_t i) { w.next[i] += multiplier * w.direction[i]; });
   if (model.friction > 0.0) detail::record_press(model, multiplier, w, state);
   multiplier = detail::restore_rigid_bodies(model, target, slope, multiplier, w);
   return {multiplier, Mask<S>(finite(multiplier) & !searching)};

@@ -42,9 +42,10 @@ void calc_forces(const Model& model, const Parameters<S>& parameters, const S& a
 /// particle moved in the last step. (state, force) => next
 template <Scalar S>
 void predict(const State<S>& state, Workspace<S>& w) noexcept {
-  for (const std::size_t i : w.moving)
+  for_all(w.moving, [&](std::size_t i) {
     w.next[i] = state.position[i] + (hadamard(w.retained[i], state.position[i] - state.previous[i]) +
                                      hadamard(w.force_weight[i], w.force[i]));
+  });
 }
 
 /// Where the constraints let particles and bodies go is where they are. (next, body) => state

@@ -9,8 +9,8 @@ namespace trunk {
 template <Scalar S>
 void set_gravity(const Model& model, std::span<Vec3<S>> force) noexcept {
   const Vec3<S> gravity = lift<S>(model.gravity);
-  const std::span<const double> mass = model.mass;
-  for (std::size_t i = 0; i < mass.size(); ++i) force[i] = S(mass[i]) * gravity;
+  auto on = force.begin();
+  for (const double mass : model.mass) *on++ = S(mass) * gravity;
 }
 
 }  // namespace trunk

@@ -72,9 +72,19 @@ ShapeMemory make_shape_memory(const Surface& surface, std::span<const Vec3d> res
   return memory;
 }
 
-void spare_still_particles(const std::vector<bool>& still, ShapeMemory& memory) {
-  memory.receiving = only_those(
-      memory.rings, [&](int particle, auto) { return !still[static_cast<std::size_t>(particle)]; });
+void leave_out_unpushed(const std::vector<bool>& pushed, ShapeMemory& memory) {
+  ShapeMemory acting{memory.reaction, {}, {}, {}, {}, {}};
+  acting.rings = only_those(
+      memory.rings, [&](int vertex, auto neighbours) { return any_of_ring(pushed, vertex, neighbours); });
+  acting.receiving =
+      only_those(memory.rings, [&](int vertex, auto) { return pushed[static_cast<std::size_t>(vertex)]; });
+  for_each_ring(memory.rings, [&](std::size_t row, std::size_t vertex, auto neighbours) {
+    if (!any_of_ring(pushed, static_cast<int>(vertex), neighbours)) return;
+    acting.rest_offset.push_back(memory.rest_offset[row]);
+    acting.stiffness_weight.push_back(memory.stiffness_weight[row]);
+    acting.abdominal_share.push_back(memory.abdominal_share[row]);
+  });
+  memory = std::move(acting);
 }
 
 }  // namespace trunk

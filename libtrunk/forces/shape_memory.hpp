@@ -226,7 +226,8 @@ ShapeMemory make_shape_memory(const Surface& surface, std::span<const Vec3d> res
                               std::span<const double> stiffness_weight,
                               std::span<const double> abdominal_share, Reaction reaction);
 
-/// Leaves out the forces on what is still: they are asked for by nobody.
-void spare_still_particles(const std::vector<bool>& still, ShapeMemory& memory);
+/// Leaves out the forces on particles that no force moves, and the rings that act on no others. pushed:
+/// [particles].
+void leave_out_unpushed(const std::vector<bool>& pushed, ShapeMemory& memory);
 
 }  // namespace trunk

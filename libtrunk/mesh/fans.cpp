@@ -13,7 +13,8 @@ class Untaken {
  public:
   explicit Untaken(std::span<const Triangle> triangles) : taken_(triangles.size(), false) {
     int particles = 0;
-    for (const Triangle& t : triangles) particles = std::max(particles, 1 + *std::max_element(t.begin(), t.end()));
+    for (const Triangle& t : triangles)
+      particles = std::max(particles, 1 + *std::max_element(t.begin(), t.end()));
     around_.resize(static_cast<std::size_t>(particles));
     for (std::size_t t = 0; t < triangles.size(); ++t)
       for (std::size_t corner = 0; corner < 3; ++corner)
@@ -26,7 +27,7 @@ class Untaken {
   /// Triangles around a centre one after the other, each beginning where the one before ends.
   struct Fan {
     bool closed = false;
-    std::vector<int> rim;                 // the corners in order; of an open fan one more than triangles
+    std::vector<int> rim;  // the corners in order; of an open fan one more than triangles
     std::vector<std::size_t> triangles;
   };
 

@@ -43,6 +43,12 @@ RingTable only_those(const RingTable& table,
   return result;
 }
 
+bool any_of_ring(const std::vector<bool>& mask, int vertex, std::span<const Neighbour> neighbours) {
+  const auto holds = [&](int particle) { return mask[static_cast<std::size_t>(particle)]; };
+  return holds(vertex) ||
+         std::any_of(neighbours.begin(), neighbours.end(), [&](Neighbour n) { return holds(n.particle()); });
+}
+
 bool contains(const RingTable& all, const RingTable& some) {
   std::map<std::size_t, std::vector<int>> twice_round;
   for_each_ring(all, [&](std::size_t, std::size_t vertex, auto ring) {

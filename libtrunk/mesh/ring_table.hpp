@@ -47,11 +47,16 @@ struct RingTable {
 };
 
 RingTable ring_table(std::span<const Surface::OneRing> rings);
-inline RingTable ring_table(const Surface& surface) { return ring_table(surface.one_rings()); }
+inline RingTable ring_table(const Surface& surface) {
+  return ring_table(surface.one_rings());
+}
 
 /// The rings for which `wanted(vertex, neighbours)` holds, in the same order.
 RingTable only_those(const RingTable& table,
                      const std::function<bool(int, std::span<const Neighbour>)>& wanted);
+
+/// Whether the mask holds for the vertex of a ring or one of its neighbours. mask: [particles].
+bool any_of_ring(const std::vector<bool>& mask, int vertex, std::span<const Neighbour> neighbours);
 
 /// Whether every ring of `some` is one of `all`, wherever it begins.
 bool contains(const RingTable& all, const RingTable& some);

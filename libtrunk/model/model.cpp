@@ -89,24 +89,38 @@ void require_references(const Model& m) {
 
 }  // namespace
 
-std::vector<bool> still_particles(const Model& model) {
-  std::vector<bool> still;
-  for (const Vec3d& free_axes : model.mobility) still.push_back(dot(free_axes, free_axes) == 0.0);
-  for (const ImposedDisplacement& imposed : model.imposed_displacements)
-    still[static_cast<std::size_t>(imposed.particle)] = false;
+std::vector<bool> pushed_particles(const Model& model) {
+  std::vector<bool> pushed;
+  for (const Vec3d& free_axes : model.mobility) pushed.push_back(dot(free_axes, free_axes) > 0.0);
   for (const RigidBody& body : model.bodies)
-    if (body.motion != RigidBody::Motion::fixed)
-      for (const int i : body.particles) still[static_cast<std::size_t>(i)] = false;
-  return still;
+    if (body.motion == RigidBody::Motion::free)
+      for (const int i : body.particles) pushed[static_cast<std::size_t>(i)] = true;
+  return pushed;
 }
 
-RingTable moving(const RingTable& fans, const Model& model) {
-  const std::vector<bool> still = still_particles(model);
-  const auto moves = [&](int particle) { return !still[static_cast<std::size_t>(particle)]; };
-  return only_those(fans, [&](int centre, std::span<const Neighbour> polygon) {
-    return moves(centre) ||
-           std::any_of(polygon.begin(), polygon.end(), [&](Neighbour n) { return moves(n.particle()); });
-  });
+std::vector<bool> moving_particles(const Model& model) {
+  std::vector<bool> moving = pushed_particles(model);
+  for (const ImposedDisplacement& imposed : model.imposed_displacements)
+    moving[static_cast<std::size_t>(imposed.particle)] = true;
+  for (const RigidBody& body : model.bodies)
+    if (body.motion == RigidBody::Motion::driven)
+      for (const int i : body.particles) moving[static_cast<std::size_t>(i)] = true;
+  return moving;
+}
+
+std::vector<Run> runs(const std::vector<bool>& mask) {
+  std::vector<Run> found;
+  for (std::size_t i = 0; i < mask.size(); ++i) {
+    if (!mask[i]) continue;
+    if (found.empty() || found.back().last != i) found.push_back({i, i});
+    ++found.back().last;
+  }
+  return found;
+}
+
+RingTable only_moving(const RingTable& fans, const Model& model) {
+  const std::vector<bool> moving = moving_particles(model);
+  return only_those(fans, [&](int centre, auto polygon) { return any_of_ring(moving, centre, polygon); });
 }
 
 HeldVolume held_volume(const Surface& surface, std::span<const Vec3d> rest) {

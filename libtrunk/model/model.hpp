@@ -20,7 +20,7 @@ enum class Reaction { variational, published };
 struct ShapeMemory {
   Reaction reaction = Reaction::variational;
   RingTable rings;
-  RingTable receiving;                   // of the rings, those around particles that a force can move
+  RingTable receiving;                   // the rings around particles that a force can move
   std::vector<Vec3d> rest_offset;        // [rings] m, P - G at rest in the local frame (u, v, n)
   std::vector<double> stiffness_weight;  // [rings] times k_elasticity; the central tendon has 2
   std::vector<double> abdominal_share;   // [rings] 0..1: how much the abdominal stiffness factor applies
@@ -135,12 +135,29 @@ struct Model {
 /// body's particles lie on a line or bear a support.
 void carry(RigidBody body, Model& model);
 
-/// True for the particles that nothing moves: held along all axes, and neither carried by a body that moves
-/// nor displaced by what is imposed.
-std::vector<bool> still_particles(const Model& model);
+/// True for the particles that forces can move: not held along all axes, or carried by a free body.
+std::vector<bool> pushed_particles(const Model& model);
+
+/// True for the particles that something can move: forces, a body that is driven, or an imposed displacement.
+std::vector<bool> moving_particles(const Model& model);
+
+/// Numbers one after the other, [first, last).
+struct Run {
+  std::size_t first, last;
+};
+
+/// Where a mask holds.
+std::vector<Run> runs(const std::vector<bool>& mask);
+
+/// Calls visit(number) for all of them.
+template <class Visit>
+[[gnu::always_inline]] inline void for_all(const std::vector<Run>& runs, Visit&& visit) noexcept {
+  for (const auto& [first, last] : runs)
+    for (std::size_t i = first; i < last; ++i) visit(i);
+}
 
 /// The fans of which something moves a particle.
-RingTable moving(const RingTable& fans, const Model& model);
+RingTable only_moving(const RingTable& fans, const Model& model);
 
 /// The volume that a surface encloses at rest, to be held.
 HeldVolume held_volume(const Surface& surface, std::span<const Vec3d> rest);

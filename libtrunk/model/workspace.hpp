@@ -34,11 +34,11 @@ struct Workspace {
 
   // (model, parameters, dt) => constant during a run
   bool elastic_volume = false;  // the held volume's surface is elastic: its rings' areas come with the forces
-  std::vector<S> ring_stiffness;         // [rings] N/m
-  std::vector<std::size_t> moving;       // particles that something can move
-  std::vector<std::size_t> held_moving;  // those around the held volume
-  RingTable held_fans;                   // of the triangles around it that can move
-  double held_still = 0.0;               // m3, what the others add to it
+  std::vector<S> ring_stiffness;  // [rings] N/m
+  std::vector<Run> moving;        // particles that something can move
+  std::vector<Run> held_pushed;   // those around the held volume that forces can move
+  RingTable held_fans;            // of the triangles around it that can move
+  double held_still = 0.0;        // m3, what the others add to it
   // What a step makes of how far a particle moved in the last one, of the force on it, s2/kg, and of a push
   // by the constraints, 1/kg, along its free axes. With M = m + dt c and m' = m, or centred M = m + dt c / 2
   // and m' = m - dt c / 2: m' / M, dt^2 / M and 1 / M.
@@ -54,9 +54,9 @@ struct Workspace {
   /// support were absent: inside is where normal . (x - predicted) + excess <= 0; normal . push = 1.
   struct Plane {
     Vec3<S> normal, push;
-    Vec3<S> carried;    // m, how far the surface itself moved there in this step
-    Vec3<S> predicted;  // m
-    Vec3<S> direction;  // m per unit of the volume's multiplier
+    Vec3<S> carried;           // m, how far the surface itself moved there in this step
+    Vec3<S> predicted;         // m
+    Vec3<S> direction;         // m per unit of the volume's multiplier
     S excess{0.0}, rate{0.0};  // how far outside predicted is, and grows a unit of the multiplier
   };
   std::vector<Plane> plane;  // [supports]
@@ -83,7 +83,6 @@ Workspace<S> make_workspace(const Model& model, const Parameters<S>& parameters,
   };
   Workspace<S> w;
   w.dt_s = dt_s;
-  w.elastic_volume = contains(model.shape_memory.rings, model.abdomen.rings);
   const ShapeMemory& memory = model.shape_memory;
   for (std::size_t r = 0; r < memory.rings.size(); ++r) {
     const S share(memory.abdominal_share[r]);
@@ -105,12 +104,15 @@ Workspace<S> make_workspace(const Model& model, const Parameters<S>& parameters,
   w.reactions.resize(model.particles());
   for (const Vec3d& p : model.rest) w.next.push_back(lift<S>(p));  // where what is still stays
   w.direction.resize(model.particles());
-  const std::vector<bool> still = still_particles(model);
-  for (std::size_t i = 0; i < still.size(); ++i)
-    if (!still[i]) w.moving.push_back(i);
-  for (const int vertex : model.abdomen.rings.vertex)
-    if (!still[static_cast<std::size_t>(vertex)]) w.held_moving.push_back(static_cast<std::size_t>(vertex));
-  w.held_fans = moving(model.abdomen.fans, model);
+  w.moving = runs(moving_particles(model));
+  const std::vector<bool> pushed = pushed_particles(model);
+  const RingTable held = only_those(
+      model.abdomen.rings, [&](int vertex, auto) { return pushed[static_cast<std::size_t>(vertex)]; });
+  w.elastic_volume = contains(memory.rings, held);
+  std::vector<bool> held_pushed(model.particles(), false);
+  for (const int vertex : held.vertex) held_pushed[static_cast<std::size_t>(vertex)] = true;
+  w.held_pushed = runs(held_pushed);
+  w.held_fans = only_moving(model.abdomen.fans, model);
   w.held_still = model.abdomen.rest - volume_of_fans<double>(w.held_fans, model.rest);
   w.plane.resize(model.supports.size());
   for (const RigidBody& body : model.bodies) {

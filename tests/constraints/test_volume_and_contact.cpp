@@ -28,9 +28,8 @@ struct Projected {
     result = project_volume_and_supports(model, fraction * model.abdomen.rest, state, w);
   }
   double volume_error(double fraction) const {
-    return std::abs(enclosed_volume<double>(model.abdomen.triangles, w.next) /
-                        (fraction * model.abdomen.rest) -
-                    1.0);
+    return std::abs(
+        enclosed_volume<double>(model.abdomen.triangles, w.next) / (fraction * model.abdomen.rest) - 1.0);
   }
   Vec3d correction(const Support& s) const {
     const auto i = static_cast<std::size_t>(s.particle);

@@ -32,7 +32,8 @@ struct FreeFlight {
   }
   std::vector<Vec3d> momenta() const {
     std::vector<Vec3d> result;
-    for (std::size_t i = 0; i < model.particles(); ++i) result.push_back(model.mass[i] * velocity(state, i, w.dt_s));
+    for (std::size_t i = 0; i < model.particles(); ++i)
+      result.push_back(model.mass[i] * velocity(state, i, w.dt_s));
     return result;
   }
   double energy() const {
