@@ -28,7 +28,7 @@ Json summary(const Trunk& trunk, const Scenario& scenario, const BreathRun& run)
   if (const auto& choice = scenario.step_choice) {
     json["dt_chosen"] = "auto";
     json["dt_stable_s"] = json_number(choice->stable_s);
-    json["dt_estimated_error_percent"] = 100.0 * choice->estimated_error;
+    json["dt_estimated_error_percent"] = json_number(100.0 * choice->estimated_error);
   }
   json["wall_s"] = run.wall_s;
   json["message"] = run.summary.message;

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <utility>
 
 #include "dynamics/stability.hpp"
 #include "dynamics/volume_curve.hpp"
@@ -48,46 +47,88 @@ TimeGrid grid_of(double at_most_s, double duration_s, Damping damping) {
   return {duration_s / std::ceil(duration_s / at_most_s), duration_s, damping};
 }
 
-constexpr double fine_s = 1e-3;
+/// Bounds on the step of a model `stiffer` times as stiff.
+struct Bounds {
+  double centred_s, implicit_s;
 
-/// See auto_time_step; nothing where the simulation fails.
+  double of(Damping damping) const noexcept { return damping == Damping::centred ? centred_s : implicit_s; }
+  double longest() const noexcept { return std::max(centred_s, implicit_s); }
+};
+
+Bounds bounds_of(const Model& model, Parameters<double> parameters, double stiffer) {
+  parameters.elasticity *= stiffer;
+  parameters.muscle *= stiffer;
+  return {stable_time_step(model, parameters, Damping::centred),
+          stable_time_step(model, parameters, Damping::implicit)};
+}
+
+/// Short steps to compare with: 1 ms, less where that is not a small part of the bound.
+double short_step(const Bounds& bounds) {
+  return std::min(1e-3, 0.25 * bounds.longest());
+}
+
+/// Centred damping, of second order, where that is calm (see Damping).
+TimeGrid reference_grid(const Model& model, const Parameters<double>& parameters, double dt_s,
+                        double duration_s) {
+  double rate = 0.0;
+  for (std::size_t i = 0; i < model.particles(); ++i)
+    rate = std::max(rate, parameters.damping * model.damping_weight[i] / model.mass[i]);
+  return grid_of(dt_s, duration_s, dt_s * rate < 1.0 ? Damping::centred : Damping::implicit);
+}
+
+/// With |V_h - V_r| = e (h - r), the error e h; nothing where the simulation fails.
 std::optional<double> estimated_error(const Model& model, const Trial<double>& trial, const TimeGrid& grid,
                                       const Sampled& fine) {
-  if (grid.dt_s <= fine_s) return 0.0;
   const auto coarse = run(model, trial, grid);
   if (!coarse) return std::nullopt;
-  return difference(*coarse, fine) * grid.dt_s / (grid.dt_s - fine_s);
+  return difference(*coarse, fine) * grid.dt_s / (grid.dt_s - fine.dt_s);
+}
+
+/// The longest one well above the reference's that serves, from that part of the bounds down.
+std::optional<TimeStepChoice> longest_that_serves(const Model& model, const Trial<double>& trial,
+                                                  double duration_s, const Bounds& bounds,
+                                                  const Sampled& fine, double& part) {
+  constexpr double longest_s = 8e-3, shorter = 0.85;
+  for (; part * bounds.longest() > 1.5 * fine.dt_s; part *= shorter)
+    for (const Damping damping : {Damping::centred, Damping::implicit}) {
+      const TimeGrid grid = grid_of(std::min(longest_s, part * bounds.of(damping)), duration_s, damping);
+      if (grid.dt_s < 1.5 * fine.dt_s) continue;
+      const auto error = estimated_error(model, trial, grid, fine);
+      if (error && *error <= auto_time_step_tolerance)
+        return TimeStepChoice{grid, bounds.of(damping), *error};
+    }
+  return std::nullopt;
 }
 
 }  // namespace
 
 TimeStepChoice auto_time_step(const Model& model, const Parameters<double>& parameters,
                               const BreathActivation<double>& activation, double duration_s, double stiffer) {
-  constexpr double safety = 0.95, longest_s = 8e-3, shorter = 0.85;
+  constexpr double safety = 0.95;
+  constexpr int most_halvings = 3;
   const Trial<double> trial{parameters, activation};
-  Parameters<double> stiffest = parameters;
-  stiffest.elasticity *= stiffer;
-  stiffest.muscle *= stiffer;
-  TimeStepChoice choice{{fine_s, duration_s}, stable_time_step(model, stiffest), 0.0};
-  const auto fine = run(model, trial, choice.grid);
-  if (!fine) return choice;
-  const auto stable_s = [&](Damping damping) { return stable_time_step(model, stiffest, damping); };
-  const std::pair<Damping, double> bounds[] = {{Damping::centred, stable_s(Damping::centred)},
-                                               {Damping::implicit, stable_s(Damping::implicit)}};
-  for (double part = safety; part * choice.stable_s > 1.5 * fine_s; part *= shorter)
-    for (const auto& [damping, bound_s] : bounds) {
-      const TimeGrid grid = grid_of(std::min(longest_s, part * bound_s), duration_s, damping);
-      if (grid.dt_s <= fine_s) continue;
-      const auto error = estimated_error(model, trial, grid, *fine);
-      if (error && *error <= auto_time_step_tolerance) return {grid, bound_s, *error};
-    }
-  return choice;
+  const Bounds bounds = bounds_of(model, parameters, stiffer);
+  double part = safety, reference_s = short_step(bounds);
+  TimeStepChoice last{{}, 0.0, std::numeric_limits<double>::infinity()};
+  std::optional<Sampled> before;
+  for (int halvings = 0; halvings <= most_halvings; ++halvings, reference_s /= 2.0) {
+    last.grid = reference_grid(model, parameters, reference_s, duration_s);
+    last.stable_s = bounds.of(last.grid.damping);
+    const auto fine = run(model, trial, last.grid);
+    if (!fine) continue;
+    if (const auto choice = longest_that_serves(model, trial, duration_s, bounds, *fine, part))
+      return *choice;
+    if (before) last.estimated_error = difference(*before, *fine);
+    before = fine;
+  }
+  return last;
 }
 
 double time_step_error(const Model& model, const Parameters<double>& parameters,
                        const BreathActivation<double>& activation, const TimeGrid& grid) {
   const Trial<double> trial{parameters, activation};
-  const auto fine = run(model, trial, {fine_s, grid.duration_s});
+  const double short_s = std::min(short_step(bounds_of(model, parameters, 1.0)), 0.5 * grid.dt_s);
+  const auto fine = run(model, trial, reference_grid(model, parameters, short_s, grid.duration_s));
   const auto error = fine ? estimated_error(model, trial, grid, *fine) : std::nullopt;
   return error.value_or(std::numeric_limits<double>::infinity());
 }

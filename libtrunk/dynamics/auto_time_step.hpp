@@ -16,12 +16,13 @@ struct TimeStepChoice {
 };
 
 /// The longest step of 0.95, 0.95 x 0.85, 0.95 x 0.85^2 ... of the spectral bound, at most 8 ms and such that
-/// the breath is whole steps, that shows the volume of 1 ms within the tolerance, with the damping that does
-/// (our choice; runs of the shipped scenarios are stable up to the bound itself). With V1 the curve at 1 ms,
-/// the error at h ms is taken to be |Vh - V1| h / (h - 1): true of an error that is proportional to the step,
-/// too much of one that grows faster. Costs about three breaths at 1 ms; 1 ms, with an error of 0 and no more
-/// asked, where nothing longer will do or V1 does not complete.
-/// The bound is that of a model `stiffer` times as stiff.
+/// the breath is whole steps, that shows the volume of short steps within the tolerance, with the damping
+/// that does (our choice; runs of the shipped scenarios are stable up to the bound itself). Short steps r are
+/// of 1 ms, less where the bound is below 4 ms; with V_r their curve, the error at h is taken to be |V_h -
+/// V_r| h / (h - r): true of an error that is proportional to the step, too much of one that grows faster.
+/// Costs about three breaths at 1 ms. Where no step longer than 1.5 r serves, r is halved, up to three times;
+/// then the shortest is the choice, its error that of steps twice as long. Infinite where no simulation
+/// completes. The bound is that of a model `stiffer` times as stiff.
 TimeStepChoice auto_time_step(const Model& model, const Parameters<double>& parameters,
                               const BreathActivation<double>& activation, double duration_s,
                               double stiffer = 1.0);

@@ -27,7 +27,8 @@ Summary ended(Summary::Status status, int step, double time_s) {
 }
 
 LungGain::LungGain(const Model& model)
-    : moving_(only_moving(model.lung_fans, model)), start_(volume_of_fans<double>(moving_, model.rest)) {}
+    : moving_(by_motion(model.lung_fans, model).moving),
+      start_(volume_of_fans<double>(moving_, model.rest)) {}
 
 void require_lung(double lowest_volume, Summary& summary) {
   if (!summary.completed() || lowest_volume > 0.0) return;

@@ -7,15 +7,15 @@
 
 namespace trunk {
 
-/// Volume enclosed by a closed surface, m3: one sixth of the sum of the corner determinants.
-/// positions: [particles], m.
+/// Volume enclosed by a closed surface, m3: one sixth of the sum of the corner determinants, each by the
+/// edges from its first corner: those are short, and so is their round-off. positions: [particles], m.
 template <Scalar S>
 S enclosed_volume(std::span<const Triangle> triangles, std::span<const Vec3<S>> positions) noexcept {
   Vec3<S> six_volumes;  // by component: added up once, at the end
   for (const auto& [i, j, k] : triangles) {
     const auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>(j),
                c = static_cast<std::size_t>(k);
-    six_volumes += hadamard(positions[a], cross(positions[b], positions[c]));
+    six_volumes += hadamard(positions[a], cross(positions[b] - positions[a], positions[c] - positions[a]));
   }
   return S(1.0 / 6.0) * (six_volumes.x() + six_volumes.y() + six_volumes.z());
 }

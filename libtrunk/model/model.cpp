@@ -108,8 +108,8 @@ std::vector<bool> moving_particles(const Model& model) {
   return moving;
 }
 
-std::vector<Run> runs(const std::vector<bool>& mask) {
-  std::vector<Run> found;
+std::vector<IndexRange> ranges(const std::vector<bool>& mask) {
+  std::vector<IndexRange> found;
   for (std::size_t i = 0; i < mask.size(); ++i) {
     if (!mask[i]) continue;
     if (found.empty() || found.back().last != i) found.push_back({i, i});
@@ -118,9 +118,10 @@ std::vector<Run> runs(const std::vector<bool>& mask) {
   return found;
 }
 
-RingTable only_moving(const RingTable& fans, const Model& model) {
+MovingAndStill by_motion(const RingTable& fans, const Model& model) {
   const std::vector<bool> moving = moving_particles(model);
-  return only_those(fans, [&](int centre, auto polygon) { return any_of_ring(moving, centre, polygon); });
+  const auto moves = [&](int centre, auto polygon) { return any_of_ring(moving, centre, polygon); };
+  return {only_those(fans, moves), only_those(fans, std::not_fn(moves))};
 }
 
 HeldVolume held_volume(const Surface& surface, std::span<const Vec3d> rest) {

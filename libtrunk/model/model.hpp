@@ -142,22 +142,25 @@ std::vector<bool> pushed_particles(const Model& model);
 std::vector<bool> moving_particles(const Model& model);
 
 /// Numbers one after the other, [first, last).
-struct Run {
+struct IndexRange {
   std::size_t first, last;
 };
 
 /// Where a mask holds.
-std::vector<Run> runs(const std::vector<bool>& mask);
+std::vector<IndexRange> ranges(const std::vector<bool>& mask);
 
 /// Calls visit(number) for all of them.
 template <class Visit>
-[[gnu::always_inline]] inline void for_all(const std::vector<Run>& runs, Visit&& visit) noexcept {
-  for (const auto& [first, last] : runs)
+[[gnu::always_inline]] inline void for_all(const std::vector<IndexRange>& ranges, Visit&& visit) noexcept {
+  for (const auto& [first, last] : ranges)
     for (std::size_t i = first; i < last; ++i) visit(i);
 }
 
-/// The fans of which something moves a particle.
-RingTable only_moving(const RingTable& fans, const Model& model);
+/// Fans of which something moves a particle, and those that stay as they are.
+struct MovingAndStill {
+  RingTable moving, still;
+};
+MovingAndStill by_motion(const RingTable& fans, const Model& model);
 
 /// The volume that a surface encloses at rest, to be held.
 HeldVolume held_volume(const Surface& surface, std::span<const Vec3d> rest);

@@ -34,11 +34,11 @@ struct Workspace {
 
   // (model, parameters, dt) => constant during a run
   bool elastic_volume = false;  // the held volume's surface is elastic: its rings' areas come with the forces
-  std::vector<S> ring_stiffness;  // [rings] N/m
-  std::vector<Run> moving;        // particles that something can move
-  std::vector<Run> held_pushed;   // those around the held volume that forces can move
-  RingTable held_fans;            // of the triangles around it that can move
-  double held_still = 0.0;        // m3, what the others add to it
+  std::vector<S> ring_stiffness;        // [rings] N/m
+  std::vector<IndexRange> moving;       // particles that something can move
+  std::vector<IndexRange> held_pushed;  // those around the held volume that forces can move
+  RingTable held_fans;                  // of the triangles around it that can move
+  double held_still = 0.0;              // m3, what the others add to it
   // What a step makes of how far a particle moved in the last one, of the force on it, s2/kg, and of a push
   // by the constraints, 1/kg, along its free axes. With M = m + dt c and m' = m, or centred M = m + dt c / 2
   // and m' = m - dt c / 2: m' / M, dt^2 / M and 1 / M.
@@ -104,16 +104,17 @@ Workspace<S> make_workspace(const Model& model, const Parameters<S>& parameters,
   w.reactions.resize(model.particles());
   for (const Vec3d& p : model.rest) w.next.push_back(lift<S>(p));  // where what is still stays
   w.direction.resize(model.particles());
-  w.moving = runs(moving_particles(model));
+  w.moving = ranges(moving_particles(model));
   const std::vector<bool> pushed = pushed_particles(model);
   const RingTable held = only_those(
       model.abdomen.rings, [&](int vertex, auto) { return pushed[static_cast<std::size_t>(vertex)]; });
   w.elastic_volume = contains(memory.rings, held);
   std::vector<bool> held_pushed(model.particles(), false);
   for (const int vertex : held.vertex) held_pushed[static_cast<std::size_t>(vertex)] = true;
-  w.held_pushed = runs(held_pushed);
-  w.held_fans = only_moving(model.abdomen.fans, model);
-  w.held_still = model.abdomen.rest - volume_of_fans<double>(w.held_fans, model.rest);
+  w.held_pushed = ranges(held_pushed);
+  auto [moving, still] = by_motion(model.abdomen.fans, model);
+  w.held_fans = std::move(moving);
+  w.held_still = volume_of_fans<double>(still, model.rest);
   w.plane.resize(model.supports.size());
   for (const RigidBody& body : model.bodies) {
     const S mass(body.mass), effective_mass = mass + damped_later(body.damping_weight);

@@ -107,6 +107,32 @@ TEST_CASE("The correction is along the volume gradient over the effective mass",
   CHECK(p.result.multiplier > 0.0);  // growing takes a positive pressure
 }
 
+TEST_CASE("A volume whose surface is not elastic is held as one of no stiffness", "[unit][constraints]") {
+  Random random(58);
+  const Mesh mesh = icosphere(0.1, 1);
+  Model elastic = free_body(mesh, Reaction::variational, 0.2);
+  hold_volume(mesh, elastic);
+  Model slack = elastic;
+  slack.shape_memory = {};
+  const Parameters<double> without_stiffness{0.0, 0.0, 5.0};
+  std::vector<State<double>> ends;
+  const std::vector<Vec3d> kicked = deformed(mesh.position, 2e-4, random);
+  for (const Model* model : {&elastic, &slack}) {
+    State<double> state = rest_state<double>(*model);
+    state.previous = kicked;
+    Workspace<double> w = make_workspace(*model, without_stiffness, 1e-3);
+    CHECK(w.elastic_volume == (model == &elastic));
+    for (int n = 0; n < 50; ++n) REQUIRE(step(*model, without_stiffness, 0.0, state, w).ok);
+    CHECK(std::abs(enclosed_volume<double>(mesh.triangles, state.position) / model->abdomen.rest - 1.0) <
+          1e-14);
+    ends.push_back(state);
+  }
+  for (std::size_t i = 0; i < mesh.position.size(); ++i) {
+    CHECK(norm(ends[0].position[i] - ends[1].position[i]) < 1e-14);
+    CHECK(norm(ends[0].position[i] - mesh.position[i]) > 1e-6);
+  }
+}
+
 TEST_CASE("With supports: no penetration, the exact volume, and no pull", "[property][constraints]") {
   Random random(53);
   const Trunk trunk = make_template_trunk({}, {}, Reaction::variational);

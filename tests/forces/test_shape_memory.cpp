@@ -45,8 +45,10 @@ std::vector<Body> bodies(Reaction reaction, Random& random) {
                    deformed(mesh.position, 0.02, random)});
   }
   const Trunk trunk = make_template_trunk({}, {}, reaction);
-  ShapeMemory memory = trunk.model.shape_memory;
-  memory.receiving = memory.rings;  // what is held is asked for too
+  const std::size_t n = trunk.model.particles();
+  const Surface abdomen("abdomen", trunk.mesh.abdomen, static_cast<int>(n));
+  const std::vector<double> one(n, 1.0), none(n, 0.0);
+  const ShapeMemory memory = make_shape_memory(abdomen, trunk.model.rest, one, none, reaction);
   all.push_back({"trunk", memory, uneven(memory.rings.size(), random), trunk.model.rest,
                  deformed(trunk.model.rest, 0.01, random)});
   return all;

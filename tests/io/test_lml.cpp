@@ -59,9 +59,9 @@ Target random_target(Random& random) {
     case 1:
       return ComponentName{names[random.below(3)]};
     case 2:
-      return IndexRange{first, first};
+      return pml::IndexRange{first, first};
     default:
-      return IndexRange{first, first + random.below(100)};
+      return pml::IndexRange{first, first + random.below(100)};
   }
 }
 
@@ -97,9 +97,9 @@ TEST_CASE("The published compressions are read, loads in comments are not", "[un
   const Loads read = read_lml(text, "compression-12.lml");
   REQUIRE(read.loads.size() == 2);
   const Load held{
-      Load::Type::translation, {IndexRange{648, 728}}, {{0, 1}}, Axes{fixed, fixed, fixed}, "mm", {}, 0};
+      Load::Type::translation, {pml::IndexRange{648, 728}}, {{0, 1}}, Axes{fixed, fixed, fixed}, "mm", {}, 0};
   const Load pushed{Load::Type::translation,
-                    {IndexRange{0, 80}},
+                    {pml::IndexRange{0, 80}},
                     {{0, 0}, {10, 10}},
                     Axes{along(0), along(0), along(1)},
                     "mm",
@@ -128,7 +128,7 @@ TEST_CASE("Published loads survive writing", "[unit][lml]") {
 
 TEST_CASE("Loads are written as other programs expect them", "[unit][lml]") {
   Load load;
-  load.targets = {IndexRange{0, 3}, IndexRange{7, 7}, ComponentName{"left lung"}};
+  load.targets = {pml::IndexRange{0, 3}, pml::IndexRange{7, 7}, ComponentName{"left lung"}};
   load.events = {{0, 0}, {0.5, 1e-3}};
   load.direction = Axes{fixed, Axis{}, along(-1)};
   load.unit = "mm";
@@ -143,12 +143,13 @@ TEST_CASE("Loads are written as other programs expect them", "[unit][lml]") {
 
 TEST_CASE("Targets are indexes, ranges, names and everything", "[unit][lml]") {
   using Targets = std::vector<Target>;
-  CHECK(targets_of("0-3,7,9-11") == Targets{IndexRange{0, 3}, IndexRange{7, 7}, IndexRange{9, 11}});
-  CHECK(targets_of(" \n 0-3 ,\t7 \n") == Targets{IndexRange{0, 3}, IndexRange{7, 7}});
+  CHECK(targets_of("0-3,7,9-11") ==
+        Targets{pml::IndexRange{0, 3}, pml::IndexRange{7, 7}, pml::IndexRange{9, 11}});
+  CHECK(targets_of(" \n 0-3 ,\t7 \n") == Targets{pml::IndexRange{0, 3}, pml::IndexRange{7, 7}});
   CHECK(targets_of("*") == Targets{AllAtoms{}});
   CHECK(targets_of("Lung 2, left-lung,5-5") ==
-        Targets{ComponentName{"Lung 2"}, ComponentName{"left-lung"}, IndexRange{5, 5}});
-  CHECK(targets_of("0-<!-- not 9 -->4,&#53;") == Targets{IndexRange{0, 4}, IndexRange{5, 5}});
+        Targets{ComponentName{"Lung 2"}, ComponentName{"left-lung"}, pml::IndexRange{5, 5}});
+  CHECK(targets_of("0-<!-- not 9 -->4,&#53;") == Targets{pml::IndexRange{0, 4}, pml::IndexRange{5, 5}});
   for (const std::string bad :
        {"", " ", "1,,2", "1,", "-3", "3-", "1-2-3", "1.5", "+", "99999999999", "0-1000000000"})
     CHECK_THAT(lml_message(loads("<appliedTo>" + bad + "</appliedTo>" + event + direction)),
@@ -159,12 +160,12 @@ TEST_CASE("Targets are indexes, ranges, names and everything", "[unit][lml]") {
 
 TEST_CASE("Ranges are worked out up to a bound", "[unit][lml]") {
   Load load;
-  load.targets = {IndexRange{4, 6}, ComponentName{"Lung"}, IndexRange{5, 7}, IndexRange{0, 0}};
+  load.targets = {pml::IndexRange{4, 6}, ComponentName{"Lung"}, pml::IndexRange{5, 7}, pml::IndexRange{0, 0}};
   CHECK(listed_indices(load, 8) == std::vector<std::size_t>{4, 5, 6, 7, 0});
   CHECK_THROWS_WITH(listed_indices(load, 7), Contains("5-7") && Contains("below 7"));
-  load.targets = {IndexRange{0, 1'000'000'000'000}};
+  load.targets = {pml::IndexRange{0, 1'000'000'000'000}};
   CHECK_THROWS_AS(listed_indices(load, 8), InputError);
-  load.targets = {IndexRange{3, 2}};
+  load.targets = {pml::IndexRange{3, 2}};
   CHECK_THROWS_AS(listed_indices(load, 8), InputError);
 }
 

@@ -125,7 +125,7 @@ TEST_CASE("Fans take every triangle once, and their volume is that of the triang
     INFO(mesh.name);
     mesh.position = deformed(mesh.position, 0.02, random);
     const RingTable table = fans(mesh.triangles);
-    CHECK(table.size() < mesh.triangles.size() / 2);
+    CHECK(table.size() <= mesh.triangles.size() / 2);
     CHECK(volume_of_fans<double>(table, mesh.position) == Approx(volume_of(mesh)).epsilon(1e-12));
     // Any part of a surface, whose volume depends on where the origin is.
     std::vector<Triangle> part;
