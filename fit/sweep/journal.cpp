@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -98,6 +99,12 @@ bool read_row(std::istream& file, std::string& body, SweepRow& row) {
   return sha256_of_text(body).compare(0, checksum_size, checksum, checksum_size) == 0 && parse(body, row);
 }
 
+/// The rank of a row among those of its run; the larger counts. One that failed does not undo one that did
+/// not, whatever the clocks of their machines say.
+std::pair<int, double> rank_of(const SweepRow& row) {
+  return {row.status == "completed" ? 2 : 1, row.ended_at};
+}
+
 std::string heading(const std::string& fingerprint) {
   return "trunk sweep journal 1\n" + fingerprint + "\n";
 }
@@ -118,6 +125,22 @@ std::size_t read_journal(const std::filesystem::path& path, const std::string& f
   }
   if (file.bad()) throw InputError(path.string(), 0, "cannot be read: " + std::string(std::strerror(errno)));
   return end;
+}
+
+void read_journals(const std::filesystem::path& folder, const std::string& fingerprint, std::size_t runs,
+                   const std::function<void(SweepRow)>& visit) {
+  std::vector<std::filesystem::path> files;
+  if (std::filesystem::is_directory(folder))
+    for (const auto& entry : std::filesystem::directory_iterator(folder))
+      if (entry.is_regular_file()) files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  std::vector<std::pair<int, double>> highest(runs);
+  for (const auto& file : files)
+    read_journal(file, fingerprint, [&](SweepRow row) {
+      if (row.run >= runs || rank_of(row) < highest[row.run]) return;
+      highest[row.run] = rank_of(row);
+      visit(std::move(row));
+    });
 }
 
 Journal::Journal(std::filesystem::path path, const std::string& fingerprint)

@@ -19,8 +19,7 @@ class RunStates {
   explicit RunStates(std::size_t runs) : states_(runs, RunState::open) {}
 
   void note(const SweepRow& row) {
-    if (row.run < states_.size())
-      states_[row.run] = row.status == "completed" ? RunState::completed : RunState::failed;
+    states_[row.run] = row.status == "completed" ? RunState::completed : RunState::failed;
   }
   void reopen(std::size_t run) { states_[run] = RunState::open; }
   RunState operator[](std::size_t run) const { return states_[run]; }
@@ -37,7 +36,7 @@ RunStates states_in(const SweepDesign& design, const SweepFolder& folder, const 
   std::vector<char> has_file(design.runs(), 0);
   folder.for_each_row([&](const SweepRow& row) {
     states.note(row);
-    if (row.run < has_file.size()) has_file[row.run] = row.has_file ? 1 : 0;
+    has_file[row.run] = row.has_file ? 1 : 0;
   });
   for (std::size_t run = 0; run < design.runs(); ++run) {
     if (!options.shard.has(run)) continue;
