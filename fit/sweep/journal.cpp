@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -89,7 +90,7 @@ bool parse(std::string_view body, SweepRow& row) {
   return parser.ok && parser.rest.empty();
 }
 
-/// The next row, or false where the file ends, whole or not.
+/// The next row; false where there is no whole one.
 bool read_row(std::istream& file, std::string& body, SweepRow& row) {
   std::uint32_t size = 0;
   char checksum[checksum_size];
@@ -105,6 +106,29 @@ std::pair<int, double> rank_of(const SweepRow& row) {
   return {row.status == "completed" ? 2 : 1, row.ended_at};
 }
 
+/// Sets `at` to the next place from there on where the head of a row could be, so that a damaged row, be it
+/// in its size, costs no other. False where the file has none.
+bool find_row(std::istream& file, std::size_t& at) {
+  constexpr std::size_t smallest_row = 33;
+  constexpr std::uint64_t most_runs = 1 << 24;
+  const auto could_be_head = [](const char* head) {
+    std::uint32_t size = 0;
+    std::uint64_t run = 0;
+    std::memcpy(&size, head, sizeof size);
+    std::memcpy(&run, head + sizeof size, sizeof run);
+    return size >= smallest_row && size <= longest_row && run < most_runs;
+  };
+  std::array<char, sizeof(std::uint32_t) + sizeof(std::uint64_t)> head{};
+  file.clear();
+  file.seekg(static_cast<std::streamoff>(at));
+  file.read(head.data(), head.size());
+  for (; file && !could_be_head(head.data()); ++at) {
+    std::shift_left(head.begin(), head.end(), 1);
+    file.get(head.back());
+  }
+  return file && file.seekg(static_cast<std::streamoff>(at));
+}
+
 std::string heading(const std::string& fingerprint) {
   return "trunk sweep journal 1\n" + fingerprint + "\n";
 }
@@ -117,12 +141,15 @@ std::size_t read_journal(const std::filesystem::path& path, const std::string& f
   std::string found(heading(fingerprint).size(), '\0');
   if (!file.read(found.data(), static_cast<std::streamsize>(found.size())) || found != heading(fingerprint))
     return 0;
-  std::size_t end = found.size();
+  std::size_t at = found.size(), end = at;
   std::string body;
-  for (SweepRow row; read_row(file, body, row); row = {}) {
-    end += sizeof(std::uint32_t) + body.size() + checksum_size;
-    visit(std::move(row));
-  }
+  do {
+    for (SweepRow row; read_row(file, body, row); row = {}) {
+      at += sizeof(std::uint32_t) + body.size() + checksum_size;
+      end = at;
+      visit(std::move(row));
+    }
+  } while (find_row(file, ++at));
   if (file.bad()) throw InputError(path.string(), 0, "cannot be read: " + std::string(std::strerror(errno)));
   return end;
 }

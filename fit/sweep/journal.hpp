@@ -21,12 +21,12 @@ struct SweepRow {
 };
 
 /// Rows on file, in the order in which runs end. A row that is appended survives the end of the process at
-/// any moment; one that was half written is dropped by whoever reads. A run may have several rows, in several
-/// journals: see read_journals.
+/// any moment; one that was half written or is damaged is passed over by whoever reads. A run may have
+/// several rows, in several journals: see read_journals.
 class Journal {
  public:
   /// Opens to append, alone: throws InputError where another process is at it. What another sweep (see
-  /// `fingerprint`) or a crash left is removed.
+  /// `fingerprint`) or a crash left behind the last whole row is removed.
   Journal(std::filesystem::path path, const std::string& fingerprint);
   ~Journal();
   Journal(const Journal&) = delete;
@@ -45,7 +45,7 @@ class Journal {
 };
 
 /// Visits every whole row; the journal may be growing. One of another sweep, or none, has no rows. Returns
-/// where the whole rows end, bytes. Throws InputError where the file cannot be read.
+/// where the last whole row ends, bytes. Throws InputError where the file cannot be read.
 std::size_t read_journal(const std::filesystem::path& path, const std::string& fingerprint,
                          const std::function<void(SweepRow)>& visit);
 
