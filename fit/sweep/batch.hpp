@@ -28,7 +28,7 @@ SweepRow row_of(std::size_t run, const RunSummary& summary);
 SweepRow failed_row(std::size_t run, const std::string& status, const std::string& error);
 
 struct RunLimits {
-  double timeout_s = 0.0;           // for one run; 0: any
+  double timeout_s = 0.0;           // for one run, of several side by side on average; 0: any
   std::function<bool()> cancelled;  // asked while runs take longer than a second
 };
 
@@ -46,7 +46,8 @@ struct SweepBatch {
   const Trunk& trunk;
   StableRange& stable;
 
-  /// Fails what is unstable and simulates the others, side by side where no trajectory is kept. Throws
+  /// Fails what is unstable and simulates the others, side by side where no trajectory is kept. Several that
+  /// together take longer than they may are given up and missing: each is to be tried by itself. Throws
   /// Cancelled.
   std::vector<FinishedRun> simulate(std::vector<PreparedRun> runs) const;
 };
