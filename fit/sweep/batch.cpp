@@ -84,7 +84,7 @@ class Running {
       require_stable(p.file, batch_.trunk);
       return false;
     } catch (const InputError& error) {
-      done_.push_back({failed_row(p.run, "invalid", error.what()), std::nullopt});
+      done_.push_back({invalid_row(batch_.design, p.run, error), std::nullopt});
       return true;
     }
   }
@@ -152,6 +152,10 @@ SweepRow row_of(std::size_t run, const RunSummary& s) {
 
 SweepRow failed_row(std::size_t run, const std::string& status, const std::string& error) {
   return {run, status, error, now_s(), false, {}, {}};
+}
+
+SweepRow invalid_row(const SweepDesign& design, std::size_t run, const std::exception& error) {
+  return failed_row(run, "invalid", design.seen_from_design(error.what()));
 }
 
 std::vector<FinishedRun> SweepBatch::simulate(std::vector<PreparedRun> runs) const {
