@@ -109,20 +109,22 @@ std::pair<int, double> rank_of(const SweepRow& row) {
 /// Sets `at` to the next place from there on where the head of a row could be, so that a damaged row, be it
 /// in its size, costs no other. False where the file has none.
 bool find_row(std::istream& file, std::size_t& at) {
-  constexpr std::size_t smallest_row = 33;
   constexpr std::uint64_t most_runs = 1 << 24;
-  const auto could_be_head = [](const char* head) {
-    std::uint32_t size = 0;
+  constexpr std::uint32_t longest_status = 32;
+  const auto could_be_head = [](std::string_view head) {
+    Parser parser{head};
+    std::uint32_t size = 0, status = 0;
     std::uint64_t run = 0;
-    std::memcpy(&size, head, sizeof size);
-    std::memcpy(&run, head + sizeof size, sizeof run);
-    return size >= smallest_row && size <= longest_row && run < most_runs;
+    parser.take(&size, sizeof size);
+    parser.take(&run, sizeof run);
+    parser.take(&status, sizeof status);
+    return size <= longest_row && run < most_runs && status > 0 && status <= longest_status;
   };
-  std::array<char, sizeof(std::uint32_t) + sizeof(std::uint64_t)> head{};
+  std::array<char, 16> head{};  // size, run and how long the status is
   file.clear();
   file.seekg(static_cast<std::streamoff>(at));
   file.read(head.data(), head.size());
-  for (; file && !could_be_head(head.data()); ++at) {
+  for (; file && !could_be_head({head.data(), head.size()}); ++at) {
     std::shift_left(head.begin(), head.end(), 1);
     file.get(head.back());
   }

@@ -80,7 +80,7 @@ SweepOutcome run_sweep(const SweepDesign& design, const SweepFolder& folder, con
       if (states[run] == RunState::open) open.push_back(run);
     return open;
   };
-  for (std::size_t run = 0; run < design.runs(); ++run) outcome.runs += options.shard.has(run) ? 1 : 0;
+  for (std::size_t run = 0; run < design.runs(); ++run) outcome.runs += options.shard.has(run);
   outcome.found = outcome.runs - open_runs().size();
 
   Provenance provenance = provenance_of({}, options.argv);
@@ -88,6 +88,7 @@ SweepOutcome run_sweep(const SweepDesign& design, const SweepFolder& folder, con
   const SweepSimulator simulator(design, provenance, {options.timeout_s, cancelled});
   const auto start = std::chrono::steady_clock::now();
   const auto keep = [&](std::vector<FinishedRun> finished) {
+    if (finished.empty()) return;  // together they took too long
     std::vector<SweepRow> rows;
     for (FinishedRun& f : finished) {
       if (f.record) write_run(folder.run_file(f.row.run), *f.record);
