@@ -39,6 +39,12 @@ void show_progress(std::size_t done, std::size_t runs, double runs_per_s) {
                              duration(static_cast<double>(runs - done) / runs_per_s)));
 }
 
+std::string place_of_table(const SweepFolder& folder, const SweepDesign& design) {
+  return fmt::format("Table in {}{} {}", folder.table_file().string(),
+                     design.store == SweepDesign::Store::summary ? " and" : ", with curves in",
+                     folder.sweep_file().string());
+}
+
 Exit sweep_command(const Common& common, SweepRequest request) {
   SweepOptions& options = request.options;
   options.shard = shard_of(request.shard);
@@ -65,8 +71,7 @@ Exit sweep_command(const Common& common, SweepRequest request) {
     json["shard"] = request.shard;
   }
   const std::string next =
-      whole ? fmt::format("Table in {}, with curves in {}", folder.table_file().string(),
-                          folder.sweep_file().string())
+      whole ? place_of_table(folder, design)
             : fmt::format("Shard {}; `trunk merge {}` writes the table when all have ended", request.shard,
                           folder.path().string());
   print_result(common, json,
@@ -93,7 +98,8 @@ Exit status_command(const Common& common, const std::string& folder) {
 
 Exit merge_command(const Common& common, const std::string& path) {
   const SweepFolder folder(path);
-  const TableOutcome o = write_table(folder.design(), folder, common.argv);
+  const SweepDesign design = folder.design();
+  const TableOutcome o = write_table(design, folder, common.argv);
   if (o.missing > 0)
     print_note(
         fmt::format("note: {} of {} runs are missing: their shards have not ended", o.missing, o.runs));
@@ -104,8 +110,8 @@ Exit merge_command(const Common& common, const std::string& path) {
                 {"missing", o.missing},
                 {"table", folder.table_file().string()},
                 {"results", folder.sweep_file().string()}},
-               fmt::format("{} runs, {} failed, {} missing\nTable in {}, with curves in {}", o.runs, o.failed,
-                           o.missing, folder.table_file().string(), folder.sweep_file().string()));
+               fmt::format("{} runs, {} failed, {} missing\n{}", o.runs, o.failed, o.missing,
+                           place_of_table(folder, design)));
   return o.failed + o.missing == 0 ? Exit::done : Exit::not_converged;
 }
 
@@ -135,7 +141,12 @@ void add_sweep(CLI::App& app, Common& common, Run& run) {
                       "k/n: every n-th run from the k-th on, for one of n processes on the same folder; then "
                       "`trunk merge`");
   command->add_option("--timeout", options.timeout_s, "give up a run after so many seconds [never]")
-      ->check(CLI::Range(1e-3, 1e9));
+      ->check([](const std::string& text) {  // CLI11's own range lets NaN through
+        double seconds = 0.0;
+        return CLI::detail::lexical_cast(text, seconds) && seconds >= 1e-3 && seconds <= 1e9
+                   ? ""
+                   : "'" + text + "', expected 0.001 to 1e9 seconds";
+      });
   command->add_flag("--retry-failed", options.retry_failed, "simulate again what failed or timed out before");
   command->add_flag("--json", common.json, "print one JSON object");
   command->add_flag("--force", common.force, "delete the runs of another sweep in that folder");

@@ -84,16 +84,18 @@ class Running {
       require_stable(p.file, batch_.trunk);
       return false;
     } catch (const InputError& error) {
-      done_.push_back({failed_row(p.run, "invalid", error.what()), std::nullopt});
+      done_.push_back({invalid_row(batch_.design, p.run, error), std::nullopt});
       return true;
     }
   }
 
-  WhileSimulated watchdog() const {
+  /// Lanes share their time: `runs` side by side may take as long as one after the other.
+  WhileSimulated watchdog(std::size_t runs) const {
     using Clock = std::chrono::steady_clock;
-    return [this, start = Clock::now()] {
+    const double limit_s = batch_.limits.timeout_s * static_cast<double>(runs);
+    return [this, limit_s, start = Clock::now()] {
       const double spent_s = std::chrono::duration<double>(Clock::now() - start).count();
-      if (batch_.limits.timeout_s > 0.0 && spent_s > batch_.limits.timeout_s) throw TimedOut();
+      if (limit_s > 0.0 && spent_s > limit_s) throw TimedOut();
       if (spent_s > 1.0 && batch_.limits.cancelled && batch_.limits.cancelled()) throw Cancelled();
     };
   }
@@ -107,15 +109,14 @@ class Running {
     std::vector<Trial<double>> trials;
     for (const PreparedRun& p : runs) trials.push_back(trial_of(p));
     try {
-      const std::vector<BreathSummary> breaths = summarise_breaths(batch_.trunk, trials, grid, watchdog());
+      const std::vector<BreathSummary> breaths =
+          summarise_breaths(batch_.trunk, trials, grid, watchdog(runs.size()));
       for (std::size_t i = 0; i < runs.size(); ++i)
         done_.push_back(
             {row_of(runs[i].run, breaths[i], grid.dt_s, batch_.design.store != SweepDesign::Store::summary),
              std::nullopt});
     } catch (const TimedOut&) {
-      if (runs.size() == 1) return time_out(runs.front());
-      for (std::size_t i = 0; i < runs.size(); ++i)
-        summarise(runs.subspan(i, 1), grid);  // it may be a neighbour's time
+      if (runs.size() == 1) time_out(runs.front());  // of several one may be slow: the caller tries each
     }
   }
 
@@ -124,7 +125,7 @@ class Running {
     const auto stride = std::lround(1e-3 * batch_.design.frame_every_ms / scenario.time.dt_s);
     try {
       const BreathRun run =
-          run_breath(batch_.trunk, scenario, std::max(1, static_cast<int>(stride)), watchdog());
+          run_breath(batch_.trunk, scenario, std::max(1, static_cast<int>(stride)), watchdog(1));
       done_.push_back({row_of(p.run, run, scenario.time.dt_s, true),
                        run_record(p.file, batch_.trunk, run, {}, batch_.provenance)});
       done_.back().row.has_file = true;
@@ -151,6 +152,10 @@ SweepRow row_of(std::size_t run, const RunSummary& s) {
 
 SweepRow failed_row(std::size_t run, const std::string& status, const std::string& error) {
   return {run, status, error, now_s(), false, {}, {}};
+}
+
+SweepRow invalid_row(const SweepDesign& design, std::size_t run, const std::exception& error) {
+  return failed_row(run, "invalid", design.seen_from_design(error.what()));
 }
 
 std::vector<FinishedRun> SweepBatch::simulate(std::vector<PreparedRun> runs) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <exception>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -24,11 +25,14 @@ struct FinishedRun {
 /// The row of a run that is on file.
 SweepRow row_of(std::size_t run, const RunSummary& summary);
 
-/// The row of a run that could not be done.
+/// The row of a run that did not end.
 SweepRow failed_row(std::size_t run, const std::string& status, const std::string& error);
 
+/// The row of a run that could not be set up.
+SweepRow invalid_row(const SweepDesign& design, std::size_t run, const std::exception& error);
+
 struct RunLimits {
-  double timeout_s = 0.0;           // for one run; 0: any
+  double timeout_s = 0.0;           // for one run, of several side by side on average; 0: any
   std::function<bool()> cancelled;  // asked while runs take longer than a second
 };
 
@@ -46,7 +50,8 @@ struct SweepBatch {
   const Trunk& trunk;
   StableRange& stable;
 
-  /// Fails what is unstable and simulates the others, side by side where no trajectory is kept. Throws
+  /// Fails what is unstable and simulates the others, side by side where no trajectory is kept. Several that
+  /// together take longer than they may are given up and missing: each is to be tried by itself. Throws
   /// Cancelled.
   std::vector<FinishedRun> simulate(std::vector<PreparedRun> runs) const;
 };

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string_view>
 
 namespace trunk {
 namespace {
@@ -17,6 +18,15 @@ std::size_t take_digit(std::size_t& number, std::size_t base) {
   const std::size_t digit = number % base;
   number /= base;
   return digit;
+}
+
+/// Takes a folder off the files in a message that are named by it.
+void take_off(const std::filesystem::path& folder, std::string& message) {
+  const std::string prefix = (folder / "").string();
+  if (prefix.empty()) return;
+  for (auto at = message.find(prefix); at != std::string::npos; at = message.find(prefix, at + 1))
+    if (at == 0 || std::string_view(" '\"(").find(message[at - 1]) != std::string_view::npos)
+      message.erase(at, prefix.size());
 }
 
 }  // namespace
@@ -76,6 +86,13 @@ std::vector<const SweepDesign::Axis*> SweepDesign::axes() const {
   for (const auto* part : {&grid, &sample})
     for (const Axis& axis : *part) all.push_back(&axis);
   return all;
+}
+
+std::string SweepDesign::seen_from_design(std::string message) const {
+  const std::filesystem::path file(path);
+  take_off(file.parent_path(), message);
+  take_off(std::filesystem::absolute(file).lexically_normal().parent_path(), message);
+  return message;
 }
 
 }  // namespace trunk

@@ -50,6 +50,9 @@ struct SweepDesign {
   std::size_t model_of(std::size_t run) const;
 
   std::vector<const Axis*> axes() const;  // the grid's, then the sample's
+
+  /// A message that names files as the design does, so that a row does not tell from where it was called.
+  std::string seen_from_design(std::string message) const;
 };
 
 /// Reads `schema = "trunk.sweep/1"`, `title`, `store = "summary" | "curves" | "full"`, `scenarios = [...]`

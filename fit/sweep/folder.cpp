@@ -130,13 +130,9 @@ bool holds_another(const fs::path& folder, const std::string& mine, bool force) 
   return false;
 }
 
-std::vector<fs::path> journals_in(const fs::path& folder) {
-  std::vector<fs::path> files;
-  if (fs::is_directory(folder / "journal"))
-    for (const auto& entry : fs::directory_iterator(folder / "journal"))
-      if (entry.is_regular_file()) files.push_back(entry.path());
-  std::sort(files.begin(), files.end());
-  return files;
+/// The same, but never more than a design makes: a damaged folder may claim any number.
+std::size_t most_runs_in(const std::string& fingerprint, const fs::path& folder) {
+  return std::min<std::size_t>(runs_in(fingerprint, folder), 1 << 24);
 }
 
 }  // namespace
@@ -202,7 +198,7 @@ Journal SweepFolder::journal(const Shard& shard) const {
 }
 
 void SweepFolder::for_each_row(const std::function<void(SweepRow)>& visit) const {
-  for (const fs::path& file : journals_in(path_)) read_journal(file, identity(fingerprint_), visit);
+  read_journals(path_ / "journal", identity(fingerprint_), most_runs_in(fingerprint_, path_), visit);
 }
 
 SweepDesign SweepFolder::design() const {
@@ -229,14 +225,12 @@ SweepProgress progress_of(const fs::path& folder) {
   SweepProgress progress;
   const std::string fingerprint = read_fingerprint(folder);
   progress.runs = runs_in(fingerprint, folder);
-  std::vector<char> state(std::min<std::size_t>(progress.runs, 1 << 24), 0);  // 1 completed, 2 failed
+  std::vector<char> state(most_runs_in(fingerprint, folder), 0);  // 1 completed, 2 failed
   std::vector<double> ended_at;
-  for (const fs::path& file : journals_in(folder))
-    read_journal(file, identity(fingerprint), [&](const SweepRow& row) {
-      if (row.run >= state.size()) return;
-      state[row.run] = row.status == "completed" ? 1 : 2;
-      ended_at.push_back(row.ended_at);
-    });
+  read_journals(folder / "journal", identity(fingerprint), state.size(), [&](const SweepRow& row) {
+    state[row.run] = row.status == "completed" ? 1 : 2;
+    ended_at.push_back(row.ended_at);
+  });
   progress.failed = static_cast<std::size_t>(std::count(state.begin(), state.end(), 2));
   progress.done = progress.failed + static_cast<std::size_t>(std::count(state.begin(), state.end(), 1));
   std::sort(ended_at.begin(), ended_at.end());

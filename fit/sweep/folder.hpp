@@ -46,7 +46,7 @@ class SweepFolder {
   std::filesystem::path sweep_file() const { return path_ / "sweep.h5"; }
 
   Journal journal(const Shard& shard) const;
-  /// The rows of all shards.
+  /// The rows of all shards: the last one visited of a run is the one that counts (see read_journals).
   void for_each_row(const std::function<void(SweepRow)>& visit) const;
 
   /// The design and the hashes of its files, as they were when the sweep began.

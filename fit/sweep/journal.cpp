@@ -3,6 +3,8 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -88,7 +90,7 @@ bool parse(std::string_view body, SweepRow& row) {
   return parser.ok && parser.rest.empty();
 }
 
-/// The next row, or false where the file ends, whole or not.
+/// The next row; false where there is no whole one.
 bool read_row(std::istream& file, std::string& body, SweepRow& row) {
   std::uint32_t size = 0;
   char checksum[checksum_size];
@@ -96,6 +98,37 @@ bool read_row(std::istream& file, std::string& body, SweepRow& row) {
   body.resize(size);
   if (!file.read(body.data(), size) || !file.read(checksum, checksum_size)) return false;
   return sha256_of_text(body).compare(0, checksum_size, checksum, checksum_size) == 0 && parse(body, row);
+}
+
+/// The rank of a row among those of its run; the larger counts. One that failed does not undo one that did
+/// not, whatever the clocks of their machines say.
+std::pair<int, double> rank_of(const SweepRow& row) {
+  return {row.status == "completed" ? 2 : 1, row.ended_at};
+}
+
+/// Sets `at` to the next place from there on where the head of a row could be, so that a damaged row, be it
+/// in its size, costs no other. False where the file has none.
+bool find_row(std::istream& file, std::size_t& at) {
+  constexpr std::uint64_t most_runs = 1 << 24;
+  constexpr std::uint32_t longest_status = 32;
+  const auto could_be_head = [](std::string_view head) {
+    Parser parser{head};
+    std::uint32_t size = 0, status = 0;
+    std::uint64_t run = 0;
+    parser.take(&size, sizeof size);
+    parser.take(&run, sizeof run);
+    parser.take(&status, sizeof status);
+    return size <= longest_row && run < most_runs && status > 0 && status <= longest_status;
+  };
+  std::array<char, 16> head{};  // size, run and how long the status is
+  file.clear();
+  file.seekg(static_cast<std::streamoff>(at));
+  file.read(head.data(), head.size());
+  for (; file && !could_be_head({head.data(), head.size()}); ++at) {
+    std::shift_left(head.begin(), head.end(), 1);
+    file.get(head.back());
+  }
+  return file && file.seekg(static_cast<std::streamoff>(at));
 }
 
 std::string heading(const std::string& fingerprint) {
@@ -110,14 +143,33 @@ std::size_t read_journal(const std::filesystem::path& path, const std::string& f
   std::string found(heading(fingerprint).size(), '\0');
   if (!file.read(found.data(), static_cast<std::streamsize>(found.size())) || found != heading(fingerprint))
     return 0;
-  std::size_t end = found.size();
+  std::size_t at = found.size(), end = at;
   std::string body;
-  for (SweepRow row; read_row(file, body, row); row = {}) {
-    end += sizeof(std::uint32_t) + body.size() + checksum_size;
-    visit(std::move(row));
-  }
+  do {
+    for (SweepRow row; read_row(file, body, row); row = {}) {
+      at += sizeof(std::uint32_t) + body.size() + checksum_size;
+      end = at;
+      visit(std::move(row));
+    }
+  } while (find_row(file, ++at));
   if (file.bad()) throw InputError(path.string(), 0, "cannot be read: " + std::string(std::strerror(errno)));
   return end;
+}
+
+void read_journals(const std::filesystem::path& folder, const std::string& fingerprint, std::size_t runs,
+                   const std::function<void(SweepRow)>& visit) {
+  std::vector<std::filesystem::path> files;
+  if (std::filesystem::is_directory(folder))
+    for (const auto& entry : std::filesystem::directory_iterator(folder))
+      if (entry.is_regular_file()) files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  std::vector<std::pair<int, double>> highest(runs);
+  for (const auto& file : files)
+    read_journal(file, fingerprint, [&](SweepRow row) {
+      if (row.run >= runs || rank_of(row) < highest[row.run]) return;
+      highest[row.run] = rank_of(row);
+      visit(std::move(row));
+    });
 }
 
 Journal::Journal(std::filesystem::path path, const std::string& fingerprint)

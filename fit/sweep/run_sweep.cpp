@@ -19,8 +19,7 @@ class RunStates {
   explicit RunStates(std::size_t runs) : states_(runs, RunState::open) {}
 
   void note(const SweepRow& row) {
-    if (row.run < states_.size())
-      states_[row.run] = row.status == "completed" ? RunState::completed : RunState::failed;
+    states_[row.run] = row.status == "completed" ? RunState::completed : RunState::failed;
   }
   void reopen(std::size_t run) { states_[run] = RunState::open; }
   RunState operator[](std::size_t run) const { return states_[run]; }
@@ -37,7 +36,7 @@ RunStates states_in(const SweepDesign& design, const SweepFolder& folder, const 
   std::vector<char> has_file(design.runs(), 0);
   folder.for_each_row([&](const SweepRow& row) {
     states.note(row);
-    if (row.run < has_file.size()) has_file[row.run] = row.has_file ? 1 : 0;
+    has_file[row.run] = row.has_file ? 1 : 0;
   });
   for (std::size_t run = 0; run < design.runs(); ++run) {
     if (!options.shard.has(run)) continue;
@@ -75,36 +74,41 @@ SweepOutcome run_sweep(const SweepDesign& design, const SweepFolder& folder, con
   Journal journal = folder.journal(options.shard);
   RunStates states = states_in(design, folder, options, journal);
   SweepOutcome outcome;
-  std::vector<std::size_t> todo;
-  for (std::size_t run = options.shard.number - 1; run < design.runs(); run += options.shard.count) {
-    ++outcome.runs;
-    if (states[run] == RunState::open) todo.push_back(run);
-  }
-  outcome.found = outcome.runs - todo.size();
+  const auto open_runs = [&] {
+    std::vector<std::size_t> open;
+    for (std::size_t run = options.shard.number - 1; run < design.runs(); run += options.shard.count)
+      if (states[run] == RunState::open) open.push_back(run);
+    return open;
+  };
+  for (std::size_t run = 0; run < design.runs(); ++run) outcome.runs += options.shard.has(run);
+  outcome.found = outcome.runs - open_runs().size();
 
   Provenance provenance = provenance_of({}, options.argv);
   provenance.input_sha256 = folder.inputs();
   const SweepSimulator simulator(design, provenance, {options.timeout_s, cancelled});
-  const auto batches = in_batches(design, std::move(todo), simulator.together());
-  std::vector<std::size_t> items(batches.size());
-  for (std::size_t i = 0; i < items.size(); ++i) items[i] = i;
-
   const auto start = std::chrono::steady_clock::now();
-  work_off<std::vector<FinishedRun>>(
-      items, options.threads, cancelled, [&](std::size_t i) { return simulator(batches[i]); },
-      [&](std::vector<FinishedRun> finished) {
-        std::vector<SweepRow> rows;
-        for (FinishedRun& f : finished) {
-          if (f.record) write_run(folder.run_file(f.row.run), *f.record);
-          states.note(f.row);
-          rows.push_back(std::move(f.row));
-        }
-        journal.append(rows);
-        outcome.simulated += rows.size();
-        const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
-        note(outcome.found + outcome.simulated, outcome.runs,
-             static_cast<double>(outcome.simulated) / spent.count());
-      });
+  const auto keep = [&](std::vector<FinishedRun> finished) {
+    if (finished.empty()) return;  // together they took too long
+    std::vector<SweepRow> rows;
+    for (FinishedRun& f : finished) {
+      if (f.record) write_run(folder.run_file(f.row.run), *f.record);
+      states.note(f.row);
+      rows.push_back(std::move(f.row));
+    }
+    journal.append(rows);
+    outcome.simulated += rows.size();
+    const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
+    note(outcome.found + outcome.simulated, outcome.runs,
+         static_cast<double>(outcome.simulated) / spent.count());
+  };
+  for (const std::size_t together : {simulator.together(), std::size_t{1}}) {  // alone: what took too long
+    if (cancelled && cancelled()) break;
+    const auto batches = in_batches(design, open_runs(), together);
+    std::vector<std::size_t> items(batches.size());
+    for (std::size_t i = 0; i < items.size(); ++i) items[i] = i;
+    work_off<std::vector<FinishedRun>>(
+        items, options.threads, cancelled, [&](std::size_t i) { return simulator(batches[i]); }, keep);
+  }
   journal.synchronise();
   outcome.finished = outcome.found + outcome.simulated == outcome.runs;
   for (std::size_t run = 0; run < design.runs(); ++run)

@@ -10,7 +10,7 @@ namespace trunk {
 struct SweepOptions {
   unsigned threads = 0;  // 0: one a core
   Shard shard;
-  double timeout_s = 0.0;  // for one run; 0: any
+  double timeout_s = 0.0;  // for one run, of several side by side on average; 0: any
   bool retry_failed = false;
   std::string argv;  // for provenance
 };

@@ -41,7 +41,7 @@ std::shared_ptr<const SweepSimulator::Ready> SweepSimulator::ready_for(std::size
 std::vector<FinishedRun> SweepSimulator::operator()(std::span<const std::size_t> runs) const {
   std::vector<FinishedRun> done;
   const auto fail_run = [&](std::size_t run, const std::exception& error) {
-    done.push_back({failed_row(run, "invalid", error.what()), std::nullopt});
+    done.push_back({invalid_row(design_, run, error), std::nullopt});
   };
   try {
     const std::shared_ptr<const Ready> ready = ready_for(runs.front());

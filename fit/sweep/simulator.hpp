@@ -19,7 +19,8 @@ class SweepSimulator {
   std::size_t together() const noexcept;
 
   /// Runs of the same model, side by side where no trajectory is kept; each gives what it would alone. A run
-  /// that fails is a row with its error. Never throws; where the work was cancelled, runs are missing.
+  /// that fails is a row with its error. Never throws; where the work was cancelled, runs are missing, and
+  /// so are several that took too long together: one alone is then a row that timed out.
   std::vector<FinishedRun> operator()(std::span<const std::size_t> runs) const;
 
  private:

@@ -58,7 +58,7 @@ void enter(const SweepRow& row, std::size_t first_measure, SweepRecord& table) {
         completed && m < row.measures.size() ? row.measures[m] : no_number;
 }
 
-/// Rows may follow each other for one run: the curve is that of the last, as the other columns are.
+/// The curve of a run is that of the last row visited, as the other columns are.
 void fill_curves(const SweepFolder& folder, std::size_t samples, std::size_t first,
                  std::span<double> curves) {
   std::fill(curves.begin(), curves.end(), no_number);
@@ -94,12 +94,12 @@ std::string csv_of(const SweepRecord& table) {
 TableOutcome write_table(const SweepDesign& design, const SweepFolder& folder, const std::string& argv) {
   SweepRecord table = empty_table(design);
   const std::size_t parameters = design.axes().size();
-  std::size_t longest = 0;
+  std::vector<std::size_t> samples(design.runs(), 0);
   folder.for_each_row([&](const SweepRow& row) {
-    if (row.run >= design.runs()) return;
     enter(row, parameters, table);
-    longest = std::max(longest, row.curve.size());
+    samples[row.run] = row.curve.size();
   });
+  const std::size_t longest = *std::max_element(samples.begin(), samples.end());
   for (std::size_t i = 0; i < longest; ++i)
     table.curve_time_s.push_back(static_cast<double>(i) * curve_step_s);
   table.fill_curves_ml = [&](std::size_t first, std::span<double> curves) {

@@ -3,12 +3,16 @@
 import csv
 import io
 import math
+import os
+import shutil
 import signal
+import subprocess
 import unittest
 
 import h5py
 
-from support import COARSE, HEALTHY, SCENARIOS, Outcome, TrunkTest, catches, file_limit, start
+from support import (COARSE, HEALTHY, PROGRAM, ROOT, SCENARIOS, SHORT_BREATH, Outcome, TrunkTest, catches, file_limit,
+                     scenario_with, start)
 
 GRID = '"time.dt_ms" = [3]\n"time.duration_s" = [0.3]\n'
 
@@ -142,6 +146,28 @@ class Results(SweepTest):
         self.assertLess(soft[4], 0.8 * soft[0])
         self.assertTrue((SCENARIOS / "sweep_paralysis.toml").is_file())
 
+    def test_errors_do_not_tell_from_where_it_was_called(self):
+        (self.folder / "here/sc").mkdir(parents=True)
+        self.file("here/sc/a.toml", scenario_with({**SHORT_BREATH, "duration_s": 0.3}))
+        self.file("here/s.toml", 'scenarios = ["sc/a.toml"]\nstore = "summary"\n[grid]\n'
+                                 '"parameters.k_elasticity_N_per_m" = [1000, 1000000]\n')
+        tables = []
+        for number, (at, name) in enumerate((("here", "s.toml"), ("here", "./s.toml"), (".", "here/s.toml"),
+                                             ("here/sc", "../s.toml"), (".", self.folder / "here/s.toml"))):
+            process = start("sweep", name, "-o", self.folder / f"d{number}", cwd=self.folder / at)
+            self.assertEqual(Outcome(process).code, 3)
+            tables.append((self.folder / f"d{number}/table.csv").read_text())
+        self.assertEqual(len(set(tables)), 1, tables)
+        errors = [r["error"] for r in self.rows("d0")]
+        self.assertEqual(errors[0], "")
+        self.assertRegex(errors[1], r"\Asc/a.toml:\d+: a time step")
+
+    def test_what_is_said_of_curves_is_so(self):
+        for store, says in (("summary", " and"), ("curves", ", with curves in")):
+            design = self.muscles(1, top=f'store = "{store}"')
+            for command in (("sweep", design, "-o", "d", "--force"), ("merge", "d")):
+                self.assertIn(f"Table in d/table.csv{says} d/sweep.h5\n", self.trunk(*command).out)
+
     def test_an_impossible_run_does_not_stop_the_others(self):
         design = self.design('"time.dt_ms" = [2, 20, 3]\n"time.duration_s" = [0.3]\n')
         outcome = self.trunk("sweep", design, "-o", "d", "--json")
@@ -191,14 +217,16 @@ class Stores(SweepTest):
         for name in ("table.csv",):
             self.assertEqual((self.folder / "d" / name).read_bytes(), (self.folder / "whole" / name).read_bytes())
 
-    def test_a_damaged_journal_counts_up_to_the_damage(self):
+    def test_a_damaged_row_is_done_again_and_no_other(self):
         command = ("sweep", self.muscles(20, GRID, 'store = "summary"'), "-o", "d", "-j", "1")
         self.succeeds(*command)
         table, journal = (self.folder / "d/table.csv").read_bytes(), self.folder / "d/journal/1-of-1"
         data = bytearray(journal.read_bytes())
         data[len(data) // 2] ^= 0x10
         journal.write_bytes(bytes(data))
-        self.assertIn(self.succeeds(*command)["found"], range(8, 12))
+        again = self.succeeds(*command)
+        self.assertEqual((again["found"], again["simulated"]), (19, 1))
+        self.assertEqual(self.succeeds(*command)["found"], 20)
         self.assertEqual((self.folder / "d/table.csv").read_bytes(), table)
 
 
@@ -245,6 +273,44 @@ class Shards(SweepTest):
         self.assertEqual(outcome.code, 130, str(outcome))
         self.assertRegex(outcome.err, "interrupted: 0 of 1 runs")
 
+    def test_a_retry_counts_whichever_shard_failed(self):
+        design = self.design('"parameters.k_muscle_N_per_m" = [10, 20]\n"time.dt_ms" = [0.1]\n'
+                             '"time.duration_s" = [0.3]\n', top='store = "curves"')
+        for k in (1, 2):
+            self.succeeds("sweep", design, "-o", "d", "--shard", f"{k}/2", "--timeout", "0.001", codes=(3,), epoch=0)
+        self.assertEqual(self.succeeds("merge", "d", codes=(3,), epoch=0)["failed"], 2)
+        retry = ("sweep", design, "-o", "d", "--retry-failed")
+        for simulated in (2, 0):
+            again = self.succeeds(*retry, epoch=0)
+            self.assertEqual((again["simulated"], again["failed"]), (simulated, 0))
+        status = self.succeeds("status", "d")
+        self.assertEqual((status["done"], status["failed"]), (2, 0))
+        self.assertEqual(self.succeeds("merge", "d", epoch=0)["failed"], 0)
+        self.succeeds("sweep", design, "-o", "never_failed", epoch=0)
+        for name in ("table.csv", "sweep.h5"):
+            self.assertEqual((self.folder / "d" / name).read_bytes(), (self.folder / "never_failed" / name).read_bytes())
+
+    def test_tasks_of_an_array_share_out_all_runs(self):
+        design = self.muscles(5, top='store = "summary"')
+        def task(number, first, last, step, count):
+            array = {"ID": number, "MIN": first, "MAX": last, "STEP": step, "COUNT": count}  # as Slurm 22.05 sets them
+            environment = {f"SLURM_ARRAY_TASK_{name}": str(value) for name, value in array.items()}
+            return subprocess.run([ROOT / "scripts/sweep_slurm", design, "d"], cwd=self.folder, text=True,
+                                  capture_output=True, env={**os.environ, "TRUNK": PROGRAM, **environment})
+        gaps = task(3, 1, 3, 1, 2)  # --array=1,3
+        self.assertEqual((gaps.returncode, gaps.stdout), (2, ""))
+        self.assertRegex(gaps.stderr, "2 tasks from 1 to 3: expected a range without gaps, as in --array=1-2")
+        for first, last, step, count in ((0, 2, 1, 3), (4, 8, 2, 3), (7, 7, 1, 1)):
+            for number in range(first, last + 1, step):
+                self.assertFalse((self.folder / "d/table.csv").exists())
+                outcome = task(number, first, last, step, count)
+                self.assertEqual(outcome.returncode, 0, outcome)
+            self.assert_table_of(5)
+            shutil.rmtree(self.folder / "d")
+
+    def assert_table_of(self, count):
+        self.assertEqual([r["status"] for r in self.rows()], count * ["completed"])
+
     def test_a_shard_that_makes_no_sense(self):
         for shard in ("0/2", "3/2", "1", "1/", "/2", "a/b", "1/2/3", "-1/2"):
             self.refused("sweep", self.muscles(2), "-o", "d", f"--shard={shard}", says="--shard .*expected k/n")
@@ -267,6 +333,8 @@ class Limits(SweepTest):
         retried = self.succeeds("sweep", design, "-o", "d", "--retry-failed")
         self.assertEqual((retried["found"], retried["simulated"], retried["failed"]), (3, 3, 0))
         self.assertEqual({r["status"] for r in self.rows()}, {"completed"})
+        for seconds in ("nan", "inf", "0", "-1", "soon"):
+            self.refused("sweep", design, "-o", "d", f"--timeout={seconds}", says="--timeout")
 
 
 class Samples(SweepTest):
