@@ -18,10 +18,10 @@ namespace {
 
 constexpr std::size_t largest_trunk_file = 100'000'000;
 
-class Reader {
+class TrunkReader {
  public:
   /// `root_line`: where the model's own element begins, for messages about its attributes.
-  Reader(const pml::PhysicalModel& model, const std::string& file, std::size_t root_line)
+  TrunkReader(const pml::PhysicalModel& model, const std::string& file, std::size_t root_line)
       : model_(model), file_(file), root_line_(root_line) {}
 
   TrunkFile read() {
@@ -74,13 +74,13 @@ class Reader {
 
   /// The same limits as the parametric trunk has: a wrong unit shows here.
   void require_human_size() {
-    constexpr double ml = 1e-6, smallest = 200, largest = 20000;
-    const double volume = enclosed_volume<double>(mesh().lung, mesh().rest) / ml;
-    if (!(volume >= smallest && volume <= largest))
+    constexpr double smallest_ml = 200, largest_ml = 20000;
+    const double volume_ml = enclosed_volume<double>(mesh().lung, mesh().rest) / 1e-6;
+    if (!(volume_ml >= smallest_ml && volume_ml <= largest_ml))
       fail(fmt::format(
           "the lung encloses {:.4g} ml, expected {} to {} ml: is the model's unit right, and are its "
           "triangles counter-clockwise seen from outside?",
-          volume, smallest, largest));
+          volume_ml, smallest_ml, largest_ml));
   }
 
   void read_atoms() {
@@ -201,7 +201,7 @@ TrunkFile trunk_of_pml(const std::string& text, const std::string& name) {
   const pml::PhysicalModel model = pml::read_pml(text, name);
   const std::size_t root = std::min(text.find("<physicalModel"), text.size());
   const auto newlines = std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(root), '\n');
-  return Reader(model, name, static_cast<std::size_t>(newlines) + 1).read();
+  return TrunkReader(model, name, static_cast<std::size_t>(newlines) + 1).read();
 }
 
 TrunkFile read_trunk_pml(const std::filesystem::path& path) {

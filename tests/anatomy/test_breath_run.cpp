@@ -11,7 +11,7 @@ namespace {
 double ml(double m3) {
   return 1e6 * m3;
 }
-double mm(double m) {
+double in_mm(double m) {
   return 1e3 * m;
 }
 
@@ -38,9 +38,9 @@ TEST_CASE("The paralysed dome rises while the healthy one descends, at about hal
   REQUIRE(paralysed.summary.completed());
   const double ratio = paralysed.measures.delta_v / healthy.measures.delta_v;
   WARN("paralysed " << ml(paralysed.measures.delta_v) << " of " << ml(healthy.measures.delta_v)
-                    << " ml, ratio " << ratio << ", paralysed dome " << mm(paralysed.measures.excursion_right)
-                    << " mm, healthy " << mm(paralysed.measures.excursion_left)
-                    << " mm (positive: descends)");
+                    << " ml, ratio " << ratio << ", paralysed dome "
+                    << in_mm(paralysed.measures.excursion_right) << " mm, healthy "
+                    << in_mm(paralysed.measures.excursion_left) << " mm (positive: descends)");
   CHECK(ratio > 0.40);
   CHECK(ratio < 0.60);
   CHECK(paralysed.measures.excursion_right < 0.0);

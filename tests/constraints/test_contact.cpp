@@ -11,7 +11,7 @@ using namespace trunk::test;
 
 namespace {
 
-constexpr double g = 9.81, dt_s = 1e-3;
+constexpr double free_fall = 9.81, tick_s = 1e-3;
 const Parameters<double> loose{0.0, 0.0, 0.0};
 
 /// One particle of a body without any stiffness, over a surface that faces up through its rest position.
@@ -31,31 +31,31 @@ Model on_surface(double friction, const Vec3d& gravity, double curvature = 0.0) 
 
 State<double> after(const Model& model, double time_s, const Vec3d& start_velocity = {}) {
   State<double> state = rest_state<double>(model);
-  state.previous[0] = state.position[0] - dt_s * start_velocity;
-  Workspace<double> w = make_workspace(model, loose, dt_s);
-  for (int n = 0; n < static_cast<int>(std::lround(time_s / dt_s)); ++n) step(model, loose, 0.0, state, w);
+  state.previous[0] = state.position[0] - tick_s * start_velocity;
+  Workspace<double> w = make_workspace(model, loose, tick_s);
+  for (int n = 0; n < static_cast<int>(std::lround(time_s / tick_s)); ++n) step(model, loose, 0.0, state, w);
   return state;
 }
 
 Vec3d tilted(double angle) {
-  return {g * std::sin(angle), 0, -g * std::cos(angle)};
+  return {free_fall * std::sin(angle), 0, -free_fall * std::cos(angle)};
 }
 
 }  // namespace
 
 TEST_CASE("A particle pressed on a surface stays on it and pushes with its weight", "[unit][constraints]") {
-  const Model model = on_surface(0.5, {0, 0, -g});
+  const Model model = on_surface(0.5, {0, 0, -free_fall});
   const State<double> state = after(model, 0.1);
   CHECK(norm(state.position[0] - model.rest[0]) < 1e-16);
   CHECK(state.contact[0].touching);
-  CHECK(state.contact[0].press == Approx(g * dt_s * dt_s));  // dt^2 / m times the force
+  CHECK(state.contact[0].press == Approx(free_fall * tick_s * tick_s));  // dt^2 / m times the force
 }
 
 TEST_CASE("A particle lifts off freely", "[unit][constraints]") {
-  const Model model = on_surface(0.9, {0, 0, g});
+  const Model model = on_surface(0.9, {0, 0, free_fall});
   const State<double> state = after(model, 0.1);
   CHECK_FALSE(state.contact[0].touching);
-  CHECK(state.position[0].z() - model.rest[0].z() == Approx(0.5 * g * 0.1 * 0.101));
+  CHECK(state.position[0].z() - model.rest[0].z() == Approx(0.5 * free_fall * 0.1 * 0.101));
 }
 
 TEST_CASE("On a slope below the angle of friction a particle sticks, above it slides by Coulomb's law",
@@ -65,32 +65,32 @@ TEST_CASE("On a slope below the angle of friction a particle sticks, above it sl
     const Model model = on_surface(friction, tilted(angle));
     CAPTURE(angle);
     // It is pressed for the first time in the first step, and sticks from the second on.
-    CHECK(norm(after(model, time_s).position[0] - model.rest[0]) < 2.0 * g * dt_s * dt_s);
+    CHECK(norm(after(model, time_s).position[0] - model.rest[0]) < 2.0 * free_fall * tick_s * tick_s);
     CHECK(after(model, time_s).contact[0].sticking);
   }
   const Model model = on_surface(friction, tilted(steep));
   const double slid = after(model, time_s).position[0].x() - model.rest[0].x();
-  const double acceleration = g * (std::sin(steep) - friction * std::cos(steep));
+  const double acceleration = free_fall * (std::sin(steep) - friction * std::cos(steep));
   CHECK(slid == Approx(0.5 * acceleration * time_s * time_s).epsilon(0.02));
   const Model smooth = on_surface(0.0, tilted(steep));
   CHECK(after(smooth, time_s).position[0].x() - smooth.rest[0].x() ==
-        Approx(0.5 * g * std::sin(steep) * time_s * (time_s + dt_s)));
+        Approx(0.5 * free_fall * std::sin(steep) * time_s * (time_s + tick_s)));
 }
 
 TEST_CASE("Friction brings a sliding particle to rest and does not turn it back", "[property][constraints]") {
-  const Model model = on_surface(0.5, {0, 0, -g});
-  const double speed = 0.5, stopping = speed * speed / (2.0 * 0.5 * g);
+  const Model model = on_surface(0.5, {0, 0, -free_fall});
+  const double speed = 0.5, stopping = speed * speed / (2.0 * 0.5 * free_fall);
   const State<double> state = after(model, 0.5, {speed, 0, 0});
   CHECK(state.position[0].x() - model.rest[0].x() == Approx(stopping).epsilon(0.03));
-  CHECK(norm(velocity(state, 0, dt_s)) < 1e-12);
+  CHECK(norm(velocity(state, 0, tick_s)) < 1e-12);
 }
 
 TEST_CASE("A hollow surface leads a sliding particle along its curve", "[property][constraints]") {
   const double curvature = 5.0;
-  const Model model = on_surface(0.0, {0, 0, -g}, curvature);
+  const Model model = on_surface(0.0, {0, 0, -free_fall}, curvature);
   State<double> state = rest_state<double>(model);
-  state.previous[0] = state.position[0] - dt_s * Vec3d{0.3, 0.1, 0};
-  Workspace<double> w = make_workspace(model, loose, dt_s);
+  state.previous[0] = state.position[0] - tick_s * Vec3d{0.3, 0.1, 0};
+  Workspace<double> w = make_workspace(model, loose, tick_s);
   double deepest = -1.0, highest = 0.0;
   for (int n = 0; n < 300; ++n) {
     step(model, loose, 0.0, state, w);
@@ -99,18 +99,19 @@ TEST_CASE("A hollow surface leads a sliding particle along its curve", "[propert
   }
   WARN("on a curved surface: farthest outside " << deepest << " m");
   CHECK(deepest < 1e-8);
-  CHECK(highest == Approx(0.1 / (2 * g)).epsilon(0.05));  // v^2 / 2g: it swings up the bowl
+  CHECK(highest == Approx(0.1 / (2 * free_fall)).epsilon(0.05));  // v^2 / 2g: it swings up the bowl
 }
 
 TEST_CASE("A rib surface that moves takes along what sticks to it and leaves what slides",
           "[property][constraints]") {
   for (const double friction : {0.0, 1.0}) {
-    Model model = on_surface(friction, {0, 0, -g});
+    Model model = on_surface(friction, {0, 0, -free_fall});
     model.bodies[0].motion = RigidBody::Motion::driven;
     model.bodies[0].imposed = {{}, {0, 0, 1}, {}, {1, 0, 0}, PiecewiseLinear({{0.0, 0.0}, {1.0, 0.05}})};
     const State<double> state = after(model, 0.2);
     CAPTURE(friction);
-    const double speed = 0.05, catching_up = speed * speed / (2.0 * g);  // the surface starts with a jerk
+    const double speed = 0.05,
+                 catching_up = speed * speed / (2.0 * free_fall);  // the surface starts with a jerk
     CHECK(state.position[0].x() - model.rest[0].x() ==
           Approx(friction > 0 ? 0.01 - catching_up : 0.0).margin(3e-5));
   }

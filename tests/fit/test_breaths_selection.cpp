@@ -9,12 +9,12 @@
 
 using namespace trunk;
 using Catch::Matchers::Contains;
-using Numbers = std::vector<std::size_t>;
+using BreathNumbers = std::vector<std::size_t>;
 
 TEST_CASE("numbers of breaths and ranges of them", "[unit][breaths]") {
-  CHECK(breath_numbers("--exclude", "3") == Numbers{3});
-  CHECK(breath_numbers("--exclude", "3,7,9-11") == Numbers{3, 7, 9, 10, 11});
-  CHECK(breath_numbers("--exclude", "4-4") == Numbers{4});
+  CHECK(breath_numbers("--exclude", "3") == BreathNumbers{3});
+  CHECK(breath_numbers("--exclude", "3,7,9-11") == BreathNumbers{3, 7, 9, 10, 11});
+  CHECK(breath_numbers("--exclude", "4-4") == BreathNumbers{4});
   for (const char* bad : {"", "0", "-3", "3-", "5-3", "3,,4", "3,", "a", "3 4", "3;4", "1-2-3", "1.5",
                           "1000000", "99999999999999999999"}) {
     CAPTURE(bad);

@@ -11,7 +11,7 @@ using Catch::Matchers::Contains;
 namespace {
 
 /// Lines 1 to 6 of a model are its head, from line 7 on stands what is in the exclusive multiComponent.
-const std::string head =
+const std::string head_lines =
     "<physicalModel>\n<atoms><structuralComponent>\n"
     "<atom><atomProperties index='1' x='1' y='2' z='3'/></atom>\n"
     "<atom><atomProperties index='5' x='1' y='2' z='3'/></atom>\n"
@@ -19,7 +19,7 @@ const std::string head =
 const std::string tail = "</multiComponent></exclusiveComponents>\n</physicalModel>\n";
 
 std::string part(const std::string& items) {
-  return head + "<structuralComponent>\n" + items + "</structuralComponent>" + tail;
+  return head_lines + "<structuralComponent>\n" + items + "</structuralComponent>" + tail;
 }
 std::string atoms(const std::string& properties) {
   return "<physicalModel>\n<atoms><structuralComponent>\n<atom>\n<atomProperties " + properties +
@@ -33,7 +33,7 @@ std::string cell(const std::string& properties, int references) {
   return text + "</cell>";
 }
 std::string nested(int depth) {
-  std::string text = head;
+  std::string text = head_lines;
   for (int i = 1; i < depth; ++i) text += "<multiComponent>\n";
   for (int i = 1; i < depth; ++i) text += "</multiComponent>";
   return text + tail;
@@ -58,7 +58,7 @@ TEST_CASE("Every kind of bad PML names line, what was found and what was expecte
   const Bad cases[] = {
       {"", ":1:", {"malformed XML", "PML"}},
       {"not XML", ":1:", {"malformed XML"}},
-      {head, ":6:", {"malformed XML"}},
+      {head_lines, ":6:", {"malformed XML"}},
       {"<physicalModel>\n<atoms>\n</physicalModel>", ":3:", {"malformed XML", "whole PML file"}},
       {"<loads/>", ":1:", {"<loads>", "<physicalModel>"}},
       {"\n<physicalModel/>\n<physicalModel/>", ":3:", {"after the end"}},
@@ -102,10 +102,10 @@ TEST_CASE("Every kind of bad PML names line, what was found and what was expecte
       {part(cell("index='7' type='LINE'", 2) + "\n" + cell("index='7' type='LINE'", 2)),
        ":14:",
        {"second cell of index 7"}},
-      {head + "<cell/>" + tail, ":7:", {"unknown element <cell>", "structuralComponent"}},
-      {head + "</multiComponent>\n<multiComponent>" + tail, ":8:", {"second <multiComponent>"}},
-      {head + "</multiComponent></exclusiveComponents>\n<informativeComponents>\n<multiComponent/>"
-              "</informativeComponents></physicalModel>",
+      {head_lines + "<cell/>" + tail, ":7:", {"unknown element <cell>", "structuralComponent"}},
+      {head_lines + "</multiComponent>\n<multiComponent>" + tail, ":8:", {"second <multiComponent>"}},
+      {head_lines + "</multiComponent></exclusiveComponents>\n<informativeComponents>\n<multiComponent/>"
+                    "</informativeComponents></physicalModel>",
        ":9:",
        {"informative", "nothing in it"}},
       {nested(65), ":70:", {"depth 65", "at most 64"}},
@@ -150,7 +150,8 @@ TEST_CASE("What is odd but clear is read", "[unit][pml]") {
   CHECK(pml_message(nested(64)) == "no error");
   CHECK(pml_message("\xEF\xBB\xBF<?xml version='1.0' encoding='UTF-16'?>\n<!-- c -->" + part("")) ==
         "no error");
-  CHECK(pml_message(head + tail.substr(0, 39) + "<informativeComponents/></physicalModel>") == "no error");
+  CHECK(pml_message(head_lines + tail.substr(0, 39) + "<informativeComponents/></physicalModel>") ==
+        "no error");
   SECTION("counts that disagree, as in files that are about") {
     CHECK(pml_message(part("<nrOfStructures value='35'/><atomRef index='1'/>")) == "no error");
   }

@@ -10,7 +10,7 @@
 namespace trunk::pml {
 namespace {
 
-constexpr const char* written = "LML to be written";
+constexpr const char* written_lml = "LML to be written";
 
 void add_text(pugi::xml_node to, const char* element, const std::string& text) {
   add(to, element).append_child(pugi::node_pcdata).set_value(text.c_str());
@@ -59,9 +59,9 @@ std::string text_of_loads(const Loads& loads) {
 
 std::string write_lml(const Loads& loads) {
   std::string text = text_of_loads(loads);
-  if (read_lml(text, written) != loads)
+  if (read_lml(text, written_lml) != loads)
     throw InputError(
-        written, 0,
+        written_lml, 0,
         "the loads would read back changed, expected names and values that LML keeps; look for commas "
         "in names of components");
   return text;

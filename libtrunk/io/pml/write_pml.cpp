@@ -10,7 +10,7 @@
 namespace trunk::pml {
 namespace {
 
-constexpr const char* written = "PML to be written";
+constexpr const char* written_pml = "PML to be written";
 
 std::size_t cells_in(const StructuralComponent& structure) {
   return static_cast<std::size_t>(
@@ -120,9 +120,9 @@ std::string write_pml(const PhysicalModel& model) {
   PhysicalModel kept = model;
   if (kept.informative && kept.informative->empty()) kept.informative.reset();
   std::string text = text_of_model(kept);
-  if (read_pml(text, written) != kept)
+  if (read_pml(text, written_pml) != kept)
     throw InputError(
-        written, 0,
+        written_pml, 0,
         "the model would read back changed, expected names, types and values that XML keeps; look for "
         "NUL characters and for attributes nrOfAtoms, nrOfCells");
   return text;
