@@ -87,7 +87,7 @@ Json registration_json(const Registration& found, const RegistrationVerdict& ver
   json["iterations"] = found.iterations;
   json["alignment_iterations"] = found.alignment.iterations;
   json["last_movement_mm"] = found.moved / millimetre;
-  json["stopped_early"] = found.stopped_early;
+  json["held_back"] = found.held_back;
   return json;
 }
 

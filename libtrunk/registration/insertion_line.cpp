@@ -131,13 +131,15 @@ double InsertionLine::turns(const Vec3d& p) const {
   return angle / (2.0 * std::numbers::pi) + (angle < 0.0 ? 1.0 : 0.0);
 }
 
-std::optional<Vec3d> InsertionLine::beside(const Vec3d& particle) const {
+std::optional<InsertionLine::Place> InsertionLine::beside(const Vec3d& particle) const {
   const double at = turns(particle) * sector_count - 0.5 + sector_count;
   const auto below = static_cast<std::size_t>(at);
   const auto &a = lowest_[below % sector_count], &b = lowest_[(below + 1) % sector_count];
   if (!a || !b) return std::nullopt;
   const double share = at - static_cast<double>(below);
-  return (1.0 - share) * *a + share * *b;
+  const Vec3d way = *b - *a, up{0.0, 0.0, 1.0};
+  const Vec3d across = dot(way, way) * up - way.z() * way;
+  return Place{(1.0 - share) * *a + share * *b, (1.0 / norm(across)) * across};
 }
 
 double InsertionLine::height_beside(const Vec3d& particle) const {

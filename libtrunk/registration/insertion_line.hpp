@@ -29,8 +29,12 @@ class InsertionLine {
   InsertionLine(std::span<const Vec3d> points, const Vec3d& centre, double half_width, double half_depth,
                 double highest_rise);
 
+  struct Place {
+    Vec3d point;   // m
+    Vec3d across;  // of unit length: upward, across the line
+  };
   /// Where the line passes at the angle of a particle; none in a gap.
-  std::optional<Vec3d> beside(const Vec3d& particle) const;
+  std::optional<Place> beside(const Vec3d& particle) const;
 
   /// Height of the smooth curve at that angle, m; across gaps too.
   double height_beside(const Vec3d& particle) const;

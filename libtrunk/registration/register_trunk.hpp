@@ -43,7 +43,7 @@ struct Registration {
   double apposition_length = 0.0;   // m
   int iterations = 0;
   double moved = 0.0;  // m, the farthest in the last iteration
-  bool stopped_early = false;
+  bool held_back = false;
   MeshQuality quality;
   std::vector<RegionFit> fits;            // of each target as a whole (region "all") first
   std::vector<std::string> extrapolated;  // regions of which less than half has data
