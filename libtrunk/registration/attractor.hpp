@@ -42,8 +42,8 @@ class Attractor {
   const Attraction& attraction_;
   MeasuredTarget target_;
   double area_;
-  std::vector<SurfaceSample> samples_;               // of the part
-  std::vector<Vec3d> points_, normals_;              // of the target
+  std::vector<SurfaceSample> samples_;   // of the part
+  std::vector<Vec3d> points_, normals_;  // of the target
 };
 
 }  // namespace trunk

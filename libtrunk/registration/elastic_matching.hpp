@@ -20,7 +20,7 @@ struct MatchingGoals {
 struct Matching {
   std::vector<Vec3d> position;  // [particles] m
   int iterations = 0;
-  double moved = 0.0;          // m, the farthest in the last iteration
+  double moved = 0.0;      // m, the farthest in the last iteration
   bool held_back = false;  // the last one: to keep triangles from folding
 };
 
@@ -28,8 +28,10 @@ struct Matching {
 /// trunk to the closest points of the targets, and points of the targets draw what is closest of the trunk;
 /// shape memory resists and carries along what nothing draws. Each iteration renews the closest points and
 /// goes toward the balance of all forces; attraction stiffens from one to the next, so that the whole shape
-/// is matched before its detail. Our choice beyond the paper's one sentence ("an elastic matching algorithm"):
-///  - shape memory within the surface 5 times as stiff as across it, since its own law hardly resists slivers,
+/// is matched before its detail. Our choice beyond the paper's one sentence ("an elastic matching
+/// algorithm"):
+///  - shape memory within the surface 5 times as stiff as across it, since its own law hardly resists
+///  slivers,
 ///    and again twice as stiff around each triangle that grows thinner below 2 degrees; an iteration that
 ///    would fold one goes half, a quarter or an eighth of its way, or none;
 ///  - the lung's surface elastic, too, a tenth as stiff, to carry its wall along.

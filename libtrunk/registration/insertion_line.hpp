@@ -30,10 +30,11 @@ class InsertionLine {
                 double highest_rise);
 
   struct Place {
-    Vec3d point;   // m
-    Vec3d across;  // of unit length: upward, across the line
+    Vec3d point;            // m
+    Vec3d upward, outward;  // of unit length, both across the line
   };
-  /// Where the line passes at the angle of a particle; none in a gap.
+  /// Where the line passes at the angle of a particle: straight across gaps of up to 45 degrees, none in
+  /// wider ones.
   std::optional<Place> beside(const Vec3d& particle) const;
 
   /// Height of the smooth curve at that angle, m; across gaps too.
@@ -44,6 +45,8 @@ class InsertionLine {
 
  private:
   double turns(const Vec3d& p) const;  // 0 to 1
+  /// From a sector on, forward or backward, how many sectors farther the next measured one is; 0: this one.
+  std::optional<std::size_t> measured_within_gap(std::size_t sector, bool forward) const;
 
   Vec3d centre_;
   double half_width_, half_depth_;

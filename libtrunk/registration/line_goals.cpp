@@ -64,8 +64,10 @@ void add_insertion(const TrunkMesh& mesh, const InsertionLine& insertion, std::s
     const int particle = mesh.muscle_lines[k].front();
     const auto line = insertion.beside(position[static_cast<std::size_t>(particle)]);
     if (!line) continue;
-    actuators.push_back(on_particle(particle, line->point, per_length * ring_share(mesh, k)));
-    actuators.back().along = line->across;
+    for (const Vec3d& direction : {line->upward, line->outward}) {
+      actuators.push_back(on_particle(particle, line->point, per_length * ring_share(mesh, k)));
+      actuators.back().along = direction;
+    }
   }
 }
 

@@ -20,8 +20,10 @@ std::map<Corners, CornerStiffness> stiffness_by_corners(std::span<const LinearAc
   for (const LinearActuator& a : actuators) {
     CornerStiffness& sum = sums.try_emplace(a.particle, CornerStiffness::Zero()).first->second;
     const bool slides = dot(a.along, a.along) > 0.0;
-    const Eigen::Vector3d weight(a.weight[0], a.weight[1], a.weight[2]), n(a.along.x(), a.along.y(), a.along.z());
-    const Eigen::Matrix3d directions = slides ? Eigen::Matrix3d(n * n.transpose()) : Eigen::Matrix3d::Identity();
+    const Eigen::Vector3d weight(a.weight[0], a.weight[1], a.weight[2]),
+        n(a.along.x(), a.along.y(), a.along.z());
+    const Eigen::Matrix3d directions =
+        slides ? Eigen::Matrix3d(n * n.transpose()) : Eigen::Matrix3d::Identity();
     for (Eigen::Index i = 0; i < 3; ++i)
       for (Eigen::Index j = 0; j < 3; ++j)
         sum.block<3, 3>(3 * i, 3 * j) += a.stiffness * weight[i] * weight[j] * directions;
@@ -34,8 +36,11 @@ void add_stiffness(std::span<const LinearActuator> actuators, Triplets& triplets
   for (const auto& [corners, sum] : stiffness_by_corners(actuators))
     for (Eigen::Index row = 0; row < 9; ++row)
       for (Eigen::Index column = 0; column < 9; ++column) {
-        const auto at = [&](Eigen::Index k) { return 3 * corners[static_cast<std::size_t>(k / 3)] + static_cast<int>(k % 3); };
-        if (at(column) <= at(row) && sum(row, column) != 0.0) triplets.emplace_back(at(row), at(column), sum(row, column));
+        const auto at = [&](Eigen::Index k) {
+          return 3 * corners[static_cast<std::size_t>(k / 3)] + static_cast<int>(k % 3);
+        };
+        if (at(column) <= at(row) && sum(row, column) != 0.0)
+          triplets.emplace_back(at(row), at(column), sum(row, column));
       }
 }
 

@@ -51,12 +51,14 @@ bool MeasuredTarget::on_border(const ClosestPoints::Hit& hit) const {
   return count == 2 && edges_.contains(std::minmax(on[0], on[1]));
 }
 
-bool MeasuredTarget::ends_before(const Vec3d& from, const Vec3d& normal, const ClosestPoints::Hit& hit) const {
+bool MeasuredTarget::ends_before(const Vec3d& from, const Vec3d& normal,
+                                 const ClosestPoints::Hit& hit) const {
   constexpr double oblique = 0.7;  // cosine
   if (on_border(hit)) return true;
   const Triangle& t = triangle(hit);
   const auto point = [&](std::size_t k) { return surface_->points[static_cast<std::size_t>(t[k])]; };
-  const bool jagged = std::any_of(t.begin(), t.end(), [&](int i) { return at_border_[static_cast<std::size_t>(i)]; });
+  const bool jagged =
+      std::any_of(t.begin(), t.end(), [&](int i) { return at_border_[static_cast<std::size_t>(i)]; });
   double longest = 0.0;
   for (std::size_t k = 0; k < 3; ++k) longest = std::max(longest, norm(point((k + 1) % 3) - point(k)));
   return jagged && hit.distance > longest && std::abs(dot(from - hit.point, normal)) < oblique * hit.distance;

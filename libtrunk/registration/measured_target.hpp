@@ -27,6 +27,8 @@ class MeasuredTarget {
   /// Of unit length; zero where the triangle has no area.
   Vec3d normal(const ClosestPoints::Hit& hit) const;
 
+  bool closed() const noexcept { return edges_.empty(); }
+
   const MeasuredSurface& surface() const noexcept { return *surface_; }
 
  private:

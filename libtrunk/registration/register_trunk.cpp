@@ -9,6 +9,7 @@
 #include "errors/input_error.hpp"
 #include "mesh/volume.hpp"
 #include "registration/line_goals.hpp"
+#include "registration/measured_target.hpp"
 #include "registration/region_fits.hpp"
 #include "registration/trunk_parts.hpp"
 
@@ -100,10 +101,10 @@ void require_similar(const Similarity& similarity) {
                     "right, and is it what the option says?",
                     similarity.scale, 1.0 / most_scale, most_scale));
   if (!(similarity.angle() < most_turn))
-    throw InputError(
-        fmt::format("the surface asks for a trunk turned by {:.0f} degrees, expected less than {:.0f}: are its "
-                    "axes right, and is it what the option says?",
-                    similarity.angle() * 180.0 / std::numbers::pi, most_turn * 180.0 / std::numbers::pi));
+    throw InputError(fmt::format(
+        "the surface asks for a trunk turned by {:.0f} degrees, expected less than {:.0f}: are its "
+        "axes right, and is it what the option says?",
+        similarity.angle() * 180.0 / std::numbers::pi, most_turn * 180.0 / std::numbers::pi));
 }
 
 Volumes volumes_of(const TrunkMesh& mesh) {
@@ -221,7 +222,8 @@ Registration register_trunk(const TrunkMesh& trunk, const SubjectTargets& target
   result.aligned = volumes_of(result.mesh);
 
   MatchingGoals goals;
-  for (const Shown& s : placed.shown) goals.attractions.push_back({&s.surface, s.part, s.direction, s.facing});
+  for (const Shown& s : placed.shown)
+    goals.attractions.push_back({&s.surface, s.part, s.direction, s.facing});
   goals.landmarks = placed.landmarks;
   goals.apposition_length = targets.apposition_length;
   if (placed.insertion) {
@@ -229,6 +231,8 @@ Registration register_trunk(const TrunkMesh& trunk, const SubjectTargets& target
     result.insertion_covered = placed.insertion->covered();
     fit_insertion(*placed.insertion, result.mesh);
   }
+  // Where along the muscle the zone ends above, no surface shows: unless told, the template's proportion.
+  if (!goals.apposition_length) goals.apposition_length = mean_apposition_length(result.mesh);
   Matching matching = match(result.mesh, goals, progress);
   result.mesh.rest = std::move(matching.position);
   result.iterations = matching.iterations;
@@ -241,6 +245,10 @@ Registration register_trunk(const TrunkMesh& trunk, const SubjectTargets& target
   result.extrapolated = regions_without_data(result.mesh, goals.attractions, result.particles_without_data);
   result.final = volumes_of(result.mesh);
   result.apposition_length = mean_apposition_length(result.mesh);
+  result.apposition_wanted = targets.apposition_length;
+  for (const MeasuredSurface& lung : targets.lungs)
+    result.lungs_given += enclosed_volume<double>(lung.triangles, lung.points);
+  result.closed_diaphragm = targets.diaphragm && MeasuredTarget(*targets.diaphragm).closed();
   result.quality = mesh_quality(aligned_mesh, result.mesh.rest);
   for (Vec3d& p : result.mesh.rest) p = turn(similarity.rotation, p) + similarity.shift;
   return result;
