@@ -104,7 +104,8 @@ Matching match(const TrunkMesh& placed, const MatchingGoals& goals,
     const double line = stiffness * strip / area;
     if (goals.insertion) add_insertion(placed, *goals.insertion, position, line, actuators);
     if (goals.apposition_length)
-      add_apposition_length(placed, *goals.apposition_length, position, line, actuators);
+      add_apposition_length(placed, *goals.apposition_length, position, goals.apposition_weight * line,
+                            actuators);
     return actuators;
   };
 

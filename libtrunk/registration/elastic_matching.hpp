@@ -15,6 +15,7 @@ struct MatchingGoals {
   const InsertionLine* insertion = nullptr;  // of the costal insertion; none: left to shape memory
   std::vector<LinearActuator> landmarks;     // stiffness as a share of a surface's
   std::optional<double> apposition_length;   // m, mean along the muscle lines
+  double apposition_weight = 1.0;            // a line that was measured has 1
 };
 
 struct Matching {

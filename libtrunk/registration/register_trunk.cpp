@@ -221,6 +221,7 @@ Registration register_trunk(const TrunkMesh& trunk, const SubjectTargets& target
   result.mesh = placed.mesh;
   result.aligned = volumes_of(result.mesh);
 
+  constexpr double guessed_weight = 0.1;
   MatchingGoals goals;
   for (const Shown& s : placed.shown)
     goals.attractions.push_back({&s.surface, s.part, s.direction, s.facing});
@@ -230,9 +231,13 @@ Registration register_trunk(const TrunkMesh& trunk, const SubjectTargets& target
     goals.insertion = &*placed.insertion;
     result.insertion_covered = placed.insertion->covered();
     fit_insertion(*placed.insertion, result.mesh);
+    // A diaphragm does not show where its zone of apposition ends above: unless told, the template's
+    // proportion.
+    if (!goals.apposition_length) {
+      goals.apposition_length = mean_apposition_length(result.mesh);
+      goals.apposition_weight = guessed_weight;
+    }
   }
-  // Where along the muscle the zone ends above, no surface shows: unless told, the template's proportion.
-  if (!goals.apposition_length) goals.apposition_length = mean_apposition_length(result.mesh);
   Matching matching = match(result.mesh, goals, progress);
   result.mesh.rest = std::move(matching.position);
   result.iterations = matching.iterations;
