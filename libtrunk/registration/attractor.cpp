@@ -10,6 +10,11 @@ double counted(double distance, double reach) {
   return 1.0 / ((1.0 + scaled * scaled) * (1.0 + scaled * scaled));
 }
 
+void add(const LinearActuator& actuator, double sticking, std::vector<LinearActuator>& actuators) {
+  actuators.push_back(actuator);
+  actuators.push_back({actuator.particle, actuator.weight, actuator.target, sticking * actuator.stiffness});
+}
+
 }  // namespace
 
 bool Attraction::faces(const Vec3d& of_part, const Vec3d& of_target) const {
@@ -33,6 +38,8 @@ Attractor::Attractor(const Attraction& attraction, std::span<const Vec3d> rest)
 
 void Attractor::add_to(std::vector<LinearActuator>& actuators, std::span<const Vec3d> position,
                        double stiffness, double reach) const {
+  // A wall that only draws or is only drawn, as the skin, does not hold the trunk if that slides along it.
+  const double sticking = attraction_.direction == Attraction::Direction::both ? 0.01 : 1.0;
   const auto& part = attraction_.part;
   std::vector<Vec3d> of_part;
   for (const SurfaceSample& sample : samples_) of_part.push_back(sample.in(position, part));
@@ -42,8 +49,9 @@ void Attractor::add_to(std::vector<LinearActuator>& actuators, std::span<const V
     const Vec3d normal = unit_normal(position, triangle);
     const auto& hit = on_target[i];
     if (!target_.ends_before(of_part[i], normal, hit) && attraction_.faces(normal, target_.normal(hit)))
-      actuators.push_back({triangle, samples_[i].weight, hit.point,
-                           stiffness * samples_[i].area / area_ * counted(hit.distance, reach), normal});
+      add({triangle, samples_[i].weight, hit.point,
+           stiffness * samples_[i].area / area_ * counted(hit.distance, reach), normal},
+          sticking, actuators);
   }
   if (points_.empty()) return;
   const double share = stiffness / static_cast<double>(points_.size());
@@ -53,7 +61,8 @@ void Attractor::add_to(std::vector<LinearActuator>& actuators, std::span<const V
     const Triangle& triangle = part[static_cast<std::size_t>(hit.triangle)];
     const Vec3d normal = unit_normal(position, triangle);
     if (attraction_.faces(normal, normals_[i]))
-      actuators.push_back({triangle, hit.weight, points_[i], share * counted(hit.distance, reach), normal});
+      add({triangle, hit.weight, points_[i], share * counted(hit.distance, reach), normal}, sticking,
+          actuators);
   }
 }
 

@@ -24,8 +24,8 @@ struct Attraction {
 };
 
 /// The linear actuators of one target and its part of the trunk. They draw along the trunk's own normal, and
-/// the trunk slides across: closest points tell how far a surface is off, not where along it a point belongs.
-/// Where the data end nothing is drawn.
+/// the trunk slides across it nearly free: closest points tell how far a surface is off, not where along it a
+/// point belongs. Where the data end nothing is drawn.
 class Attractor {
  public:
   /// rest: [particles] m. The attraction outlives it.
