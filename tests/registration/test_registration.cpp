@@ -286,16 +286,6 @@ TEST_CASE("Closed lungs draw the domes and the lung's wall", "[slow][regression]
   CHECK(found.final.lung == Approx(truth).epsilon(0.03));
 }
 
-TEST_CASE("Skin alone leaves the trunk where it was aligned", "[slow][regression][registration]") {
-  const KnownSubject subject = known_subject({1, 1.0, 0.0, 2});
-  SubjectTargets targets;
-  targets.skin = refined(subject.truth, abdominal_wall_of(subject.trunk), 3);
-  const Registration found = register_trunk(subject.trunk, targets, [](int, int) {});
-  require_a_trunk(found, subject.trunk);
-  CHECK(found.fits.front().to_target->rms < 10 * mm);
-  CHECK(std::abs(mean_of(found.mesh, "lung_top").x() - 0.12) < 60 * mm);
-}
-
 TEST_CASE("Ribs draw by their inner sides alone", "[slow][regression][registration]") {
   const KnownSubject subject = known_subject({1, 1.0, 0.0, 2});
   SubjectTargets targets;
