@@ -159,10 +159,13 @@ Exit register_command(const Common& common, RegisterRequest request) {
   require_upright(found.mesh);
   replace_file(pml, trunk_pml(found.mesh, found.mesh.given, scenario.scenario.rigid, pml.stem().string()));
   replace_file(toml, subject_toml(request.scenario, pml));
+  const std::vector<std::string> warnings = warnings_of(found);
   for (const std::string& note : reader.notes()) print_note("note: " + note);
+  for (const std::string& warning : warnings) print_note("warning: " + warning);
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
   Json json = registration_json(found, verdict);
   json["notes"] = reader.notes();
+  json["warnings"] = warnings;
   json["wall_s"] = wall.count();
   json["files"] = {pml.string(), toml.string()};
   print_result(common, json,

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 namespace trunk {
@@ -19,14 +20,25 @@ Json distances_json(const std::optional<Distances>& found) {
           {"hausdorff_mm", d.hausdorff / millimetre}};
 }
 
-std::string fit_row(const RegionFit& fit) {
-  const auto numbers = [](const std::optional<Distances>& d) {
+using Numbers = std::optional<Distances>;
+
+std::string fit_row(const std::string& name, const Numbers& to_target, const Numbers& from_target,
+                    double with_data) {
+  const auto numbers = [](const Numbers& d) {
     if (!d) return fmt::format(" {:>31} |", "");
     return fmt::format(" {:>7.2f} {:>7.2f} {:>7.2f} {:>7.2f} |", d->rms / millimetre, d->median / millimetre,
                        d->percentile95 / millimetre, d->hausdorff / millimetre);
   };
-  return fmt::format("{:<30}{}{} {:>6.0f} %\n", fit.target + (fit.region == "all" ? "" : ", " + fit.region),
-                     numbers(fit.to_target), numbers(fit.from_target), 100.0 * fit.with_data);
+  return fmt::format("{:<30}{}{} {:>6.0f} %\n", name, numbers(to_target), numbers(from_target),
+                     100.0 * with_data);
+}
+
+/// As a whole: where there are data, and all of it, with what lies beyond the border of an open surface.
+std::string fit_rows(const RegionFit& fit) {
+  if (fit.region != "all")
+    return fit_row(fit.target + ", " + fit.region, fit.to_target, fit.from_target, fit.with_data);
+  return fit_row(fit.target, fit.to_target, fit.from_target, fit.with_data) +
+         (fit.to_target_all ? fit_row(fit.target + ", extrapolated too", fit.to_target_all, {}, 1.0) : "");
 }
 
 std::string listed(const std::vector<std::string>& names) {
@@ -53,7 +65,31 @@ RegistrationVerdict verdict_of(const Registration& found, double tolerance) {
                     d->rms / millimetre, d->percentile95 / millimetre, fit.target, tolerance / millimetre,
                     2.0 * tolerance / millimetre)};
   }
+  if (found.apposition_wanted && std::abs(found.apposition_length - *found.apposition_wanted) > tolerance)
+    return {
+        "beyond_tolerance",
+        fmt::format("the zone of apposition is {:.1f} mm long, {:.1f} were asked for: this surface does not "
+                    "leave room for it",
+                    found.apposition_length / millimetre, *found.apposition_wanted / millimetre)};
   return {"registered", "registered"};
+}
+
+std::vector<std::string> warnings_of(const Registration& found) {
+  std::vector<std::string> warnings;
+  if (found.closed_diaphragm)
+    warnings.push_back(
+        "the surface given as diaphragm is closed and no thin sheet; a diaphragm is an open dome or a sheet. "
+        "Whatever it is, the trunk was bent onto it: is it a lung (--lungs)?");
+  if (found.lungs_given > 0.0 && std::abs(found.final.lung / found.lungs_given - 1.0) > 0.05)
+    warnings.push_back(
+        fmt::format("the lungs given hold {:.0f} ml, the trunk's lung, which has no heart beside it, {:.0f}; "
+                    "--lung-volume-ml sets it",
+                    found.lungs_given / millilitre, found.final.lung / millilitre));
+  if (found.held_back)
+    warnings.push_back(
+        "the last iteration was held back to keep triangles from folding: a finer surface, another "
+        "--lower-border or a lower --resolution may fit better");
+  return warnings;
 }
 
 Json registration_json(const Registration& found, const RegistrationVerdict& verdict) {
@@ -77,7 +113,10 @@ Json registration_json(const Registration& found, const RegistrationVerdict& ver
   json["lung_volume_ml"] = found.final.lung / millilitre;
   json["abdominal_volume_aligned_ml"] = found.aligned.abdomen / millilitre;
   json["abdominal_volume_ml"] = found.final.abdomen / millilitre;
+  json["lungs_given_ml"] = found.lungs_given > 0.0 ? Json(found.lungs_given / millilitre) : Json();
   json["apposition_length_mm"] = found.apposition_length / millimetre;
+  json["apposition_length_wanted_mm"] =
+      found.apposition_wanted ? Json(*found.apposition_wanted / millimetre) : Json();
   json["costal_insertion_found_percent"] = 100.0 * found.insertion_covered;
   json["extrapolated_regions"] = found.extrapolated;
   json["particles"] = found.mesh.rest.size();
@@ -87,7 +126,7 @@ Json registration_json(const Registration& found, const RegistrationVerdict& ver
   json["iterations"] = found.iterations;
   json["alignment_iterations"] = found.alignment.iterations;
   json["last_movement_mm"] = found.moved / millimetre;
-  json["stopped_early"] = found.stopped_early;
+  json["held_back"] = found.held_back;
   return json;
 }
 
@@ -103,7 +142,7 @@ std::string registration_text(const Registration& found, const RegistrationVerdi
   for (int direction = 0; direction < 2; ++direction)
     text += fmt::format(" {:>7} {:>7} {:>7} {:>7} |", "RMS", "median", "95 %", "most");
   text += " with data\n";
-  for (const RegionFit& fit : found.fits) text += fit_row(fit);
+  for (const RegionFit& fit : found.fits) text += fit_rows(fit);
   text += fmt::format(
       "lung {:.0f} ml (aligned {:.0f}, matched {:.0f}), abdomen {:.0f} ml (aligned {:.0f}), zone of "
       "apposition {:.1f} mm\n",

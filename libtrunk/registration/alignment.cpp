@@ -18,7 +18,7 @@ constexpr double kept = 0.8;
 /// Corresponding points, [pairs] each.
 struct Matches {
   std::vector<Vec3d> of_trunk, measured;
-  std::vector<Vec3d> normal;  // of the surface that was asked, as measured; zero where only the point counts
+  std::vector<Vec3d> normal;     // of the trunk, turned: a measured surface is noisy; zero: all ways count
   std::vector<double> distance;  // m, as measured
 };
 
@@ -30,7 +30,9 @@ class Corresponding {
         trunk_points_(spread_over(pair.particles, pair.triangles, samples)),
         measured_points_(spread_over(pair.target->points, pair.target->triangles, samples)),
         trunk_(pair.particles, pair.triangles),
-        measured_(*pair.target) {}
+        measured_(*pair.target) {
+    for (const auto& hit : trunk_(trunk_points_)) trunk_normals_.push_back(normal(hit));
+  }
 
   const std::vector<Vec3d>& trunk_points() const { return trunk_points_; }
   const std::vector<Vec3d>& measured_points() const { return measured_points_; }
@@ -39,24 +41,26 @@ class Corresponding {
   /// start that is near.
   void add_matches(const Similarity& at, bool inside, Matches& matches) const {
     Matches to_measured, to_trunk;
-    for (const Vec3d& x : trunk_points_) {
-      const auto hit = measured_.closest(at(x));
-      if (inside && measured_.on_border(hit)) continue;
-      add(x, hit.point, normal(pair_.target->points, pair_.target->triangles, hit), hit.distance,
-          to_measured);
+    std::vector<Vec3d> placed, taken_back;
+    for (const Vec3d& x : trunk_points_) placed.push_back(at(x));
+    for (const Vec3d& q : measured_points_) taken_back.push_back(at.inverse(q));
+    const auto on_measured = measured_.closest(placed), on_trunk = trunk_(taken_back);
+    for (std::size_t i = 0; i < placed.size(); ++i) {
+      const auto& hit = on_measured[i];
+      const Vec3d facing = turn(at.rotation, trunk_normals_[i]);
+      if (!inside || !measured_.ends_before(placed[i], facing, hit))
+        add(trunk_points_[i], hit.point, facing, hit.distance, to_measured);
     }
-    for (const Vec3d& q : measured_points_) {
-      const auto hit = trunk_(at.inverse(q));
-      add(hit.point, q, turn(at.rotation, normal(pair_.particles, pair_.triangles, hit)),
-          at.scale * hit.distance, to_trunk);
+    for (std::size_t i = 0; i < taken_back.size(); ++i) {
+      const auto& hit = on_trunk[i];
+      add(hit.point, measured_points_[i], turn(at.rotation, normal(hit)), at.scale * hit.distance, to_trunk);
     }
     for (const Matches* direction : {&to_measured, &to_trunk}) keep_closest(*direction, matches);
   }
 
  private:
-  static Vec3d normal(std::span<const Vec3d> points, std::span<const Triangle> triangles,
-                      const ClosestPoints::Hit& hit) {
-    return unit_normal(points, triangles[static_cast<std::size_t>(hit.triangle)]);
+  Vec3d normal(const ClosestPoints::Hit& hit) const {
+    return unit_normal(pair_.particles, pair_.triangles[static_cast<std::size_t>(hit.triangle)]);
   }
 
   static void add(const Vec3d& of_trunk, const Vec3d& measured, const Vec3d& normal, double distance,
@@ -79,7 +83,7 @@ class Corresponding {
   }
 
   SurfacePair pair_;
-  std::vector<Vec3d> trunk_points_, measured_points_;
+  std::vector<Vec3d> trunk_points_, trunk_normals_, measured_points_;
   ClosestPoints trunk_;
   MeasuredTarget measured_;
 };

@@ -11,7 +11,7 @@
 namespace trunk {
 namespace {
 
-constexpr std::size_t sector_count = 72;
+constexpr std::size_t sector_count = 72, widest_bridge = 9;
 constexpr double gap = 4.0;  // times the scatter: no longer on the curve
 constexpr Eigen::Index coefficients = 6;
 
@@ -131,13 +131,24 @@ double InsertionLine::turns(const Vec3d& p) const {
   return angle / (2.0 * std::numbers::pi) + (angle < 0.0 ? 1.0 : 0.0);
 }
 
-std::optional<Vec3d> InsertionLine::beside(const Vec3d& particle) const {
+std::optional<std::size_t> InsertionLine::measured_within_gap(std::size_t sector, bool forward) const {
+  for (std::size_t away = 0; away <= widest_bridge; ++away)
+    if (lowest_[(sector + (forward ? away : sector_count - away)) % sector_count]) return away;
+  return std::nullopt;
+}
+
+std::optional<InsertionLine::Place> InsertionLine::beside(const Vec3d& particle) const {
   const double at = turns(particle) * sector_count - 0.5 + sector_count;
   const auto below = static_cast<std::size_t>(at);
-  const auto &a = lowest_[below % sector_count], &b = lowest_[(below + 1) % sector_count];
-  if (!a || !b) return std::nullopt;
-  const double share = at - static_cast<double>(below);
-  return (1.0 - share) * *a + share * *b;
+  const auto back = measured_within_gap(below, false), ahead = measured_within_gap(below + 1, true);
+  if (!back || !ahead || *back + *ahead > widest_bridge) return std::nullopt;
+  const Vec3d &a = *lowest_[(below + sector_count - *back) % sector_count],
+              &b = *lowest_[(below + 1 + *ahead) % sector_count];
+  const double share = (at - static_cast<double>(below) + static_cast<double>(*back)) /
+                       static_cast<double>(*back + 1 + *ahead);
+  const Vec3d way = b - a, up{0.0, 0.0, 1.0};
+  const Vec3d upward = dot(way, way) * up - way.z() * way, outward = cross(way, upward);
+  return Place{a + share * way, (1.0 / norm(upward)) * upward, (1.0 / norm(outward)) * outward};
 }
 
 double InsertionLine::height_beside(const Vec3d& particle) const {

@@ -29,8 +29,13 @@ class InsertionLine {
   InsertionLine(std::span<const Vec3d> points, const Vec3d& centre, double half_width, double half_depth,
                 double highest_rise);
 
-  /// Where the line passes at the angle of a particle; none in a gap.
-  std::optional<Vec3d> beside(const Vec3d& particle) const;
+  struct Place {
+    Vec3d point;            // m
+    Vec3d upward, outward;  // of unit length, both across the line
+  };
+  /// Where the line passes at the angle of a particle: straight across gaps of up to 45 degrees, none in
+  /// wider ones.
+  std::optional<Place> beside(const Vec3d& particle) const;
 
   /// Height of the smooth curve at that angle, m; across gaps too.
   double height_beside(const Vec3d& particle) const;
@@ -40,6 +45,8 @@ class InsertionLine {
 
  private:
   double turns(const Vec3d& p) const;  // 0 to 1
+  /// From a sector on, forward or backward, how many sectors farther the next measured one is; 0: this one.
+  std::optional<std::size_t> measured_within_gap(std::size_t sector, bool forward) const;
 
   Vec3d centre_;
   double half_width_, half_depth_;

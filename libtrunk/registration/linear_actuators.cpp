@@ -1,7 +1,7 @@
 #include "registration/linear_actuators.hpp"
 
 #include <Eigen/SparseCholesky>
-#include <memory>
+#include <map>
 
 #include "errors/input_error.hpp"
 #include "forces/shape_memory.hpp"
@@ -11,14 +11,37 @@ namespace {
 
 using Matrix = Eigen::SparseMatrix<double>;
 using Triplets = std::vector<Eigen::Triplet<double>>;
+using Corners = std::array<int, 3>;
+using CornerStiffness = Eigen::Matrix<double, 9, 9>;  // x, y, z of each corner
 
-/// The stiffness of what draws a weighted sum of particles, lower triangle. => triplets
-void add_stiffness(std::span<const int> particles, std::span<const double> weights, double stiffness,
-                   Triplets& triplets) {
-  for (std::size_t i = 0; i < particles.size(); ++i)
-    for (std::size_t j = 0; j < particles.size(); ++j)
-      if (particles[j] <= particles[i] && weights[i] * weights[j] != 0.0)
-        triplets.emplace_back(particles[i], particles[j], stiffness * weights[i] * weights[j]);
+/// Of all actuators on the same particles, summed.
+std::map<Corners, CornerStiffness> stiffness_by_corners(std::span<const LinearActuator> actuators) {
+  std::map<Corners, CornerStiffness> sums;
+  for (const LinearActuator& a : actuators) {
+    CornerStiffness& sum = sums.try_emplace(a.particle, CornerStiffness::Zero()).first->second;
+    const bool slides = dot(a.along, a.along) > 0.0;
+    const Eigen::Vector3d weight(a.weight[0], a.weight[1], a.weight[2]),
+        n(a.along.x(), a.along.y(), a.along.z());
+    const Eigen::Matrix3d directions =
+        slides ? Eigen::Matrix3d(n * n.transpose()) : Eigen::Matrix3d::Identity();
+    for (Eigen::Index i = 0; i < 3; ++i)
+      for (Eigen::Index j = 0; j < 3; ++j)
+        sum.block<3, 3>(3 * i, 3 * j) += a.stiffness * weight[i] * weight[j] * directions;
+  }
+  return sums;
+}
+
+/// Row and column 3 particle + x, y or z; the lower triangle is enough. => triplets
+void add_stiffness(std::span<const LinearActuator> actuators, Triplets& triplets) {
+  for (const auto& [corners, sum] : stiffness_by_corners(actuators))
+    for (Eigen::Index row = 0; row < 9; ++row)
+      for (Eigen::Index column = 0; column < 9; ++column) {
+        const auto at = [&](Eigen::Index k) {
+          return 3 * corners[static_cast<std::size_t>(k / 3)] + static_cast<int>(k % 3);
+        };
+        if (at(column) <= at(row) && sum(row, column) != 0.0)
+          triplets.emplace_back(at(row), at(column), sum(row, column));
+      }
 }
 
 /// Of shape memory while its local frames stand still: each particle is drawn by what it is off the mean of
@@ -33,18 +56,23 @@ void add_stiffness(const ShapeMemory& memory, Triplets& triplets) {
       particles.push_back(n.particle());
       weights.push_back(-1.0 / static_cast<double>(neighbours.size()));
     }
-    add_stiffness(particles, weights, memory.stiffness_weight[ring], triplets);
+    for (std::size_t i = 0; i < particles.size(); ++i)
+      for (std::size_t j = 0; j < particles.size(); ++j)
+        if (particles[j] <= particles[i])
+          for (int axis = 0; axis < 3; ++axis)
+            triplets.emplace_back(3 * particles[i] + axis, 3 * particles[j] + axis,
+                                  memory.stiffness_weight[ring] * weights[i] * weights[j]);
   });
 }
 
 /// Solves stiffness * movement = force. [particles] m
 std::vector<Vec3d> movement(const Eigen::SimplicialLDLT<Matrix>& stiffness, std::span<const Vec3d> force) {
-  Eigen::MatrixX3d right(static_cast<Eigen::Index>(force.size()), 3);
+  Eigen::Matrix3Xd right(3, static_cast<Eigen::Index>(force.size()));
   for (std::size_t i = 0; i < force.size(); ++i)
-    right.row(static_cast<Eigen::Index>(i)) << force[i].x(), force[i].y(), force[i].z();
-  const Eigen::MatrixX3d found = stiffness.solve(right);
+    right.col(static_cast<Eigen::Index>(i)) << force[i].x(), force[i].y(), force[i].z();
+  const Eigen::VectorXd found = stiffness.solve(right.reshaped());
   std::vector<Vec3d> result;
-  for (Eigen::Index i = 0; i < found.rows(); ++i) result.push_back({found(i, 0), found(i, 1), found(i, 2)});
+  for (Eigen::Index i = 0; i < found.size(); i += 3) result.push_back({found[i], found[i + 1], found[i + 2]});
   return result;
 }
 
@@ -53,7 +81,7 @@ std::vector<Vec3d> movement(const Eigen::SimplicialLDLT<Matrix>& stiffness, std:
 Vec3d LinearActuator::reach(std::span<const Vec3d> position) const noexcept {
   Vec3d point;
   for (std::size_t k = 0; k < 3; ++k) point += weight[k] * position[static_cast<std::size_t>(particle[k])];
-  return target - point;
+  return dot(along, along) > 0.0 ? dot(target - point, along) * along : target - point;
 }
 
 void ElasticBalance::forget_bending(std::size_t index, std::span<const Vec3d> position) {
@@ -64,6 +92,12 @@ void ElasticBalance::forget_bending(std::size_t index, std::span<const Vec3d> po
     Vec3d& offset = memory.rest_offset[ring];
     offset = {offset.x(), offset.y(), dot(position[vertex] - frame.centre, frame.n)};
   });
+}
+
+void ElasticBalance::stiffen(std::size_t index, const std::set<int>& particles, double factor) {
+  ShapeMemory& memory = memories_[index];
+  for (std::size_t ring = 0; ring < memory.stiffness_weight.size(); ++ring)
+    if (particles.contains(memory.rings.vertex[ring])) memory.stiffness_weight[ring] *= factor;
 }
 
 double ElasticBalance::energy(std::span<const Vec3d> position,
@@ -97,8 +131,8 @@ std::vector<Vec3d> ElasticBalance::relaxed(std::vector<Vec3d> position,
   constexpr int most_halvings = 12;
   Triplets triplets;
   for (const ShapeMemory& memory : memories_) add_stiffness(memory, triplets);
-  for (const LinearActuator& a : actuators) add_stiffness(a.particle, a.weight, a.stiffness, triplets);
-  const auto n = static_cast<Eigen::Index>(position.size());
+  add_stiffness(actuators, triplets);
+  const auto n = 3 * static_cast<Eigen::Index>(position.size());
   Matrix stiffness(n, n);
   stiffness.setFromTriplets(triplets.begin(), triplets.end());
   const Eigen::SimplicialLDLT<Matrix> solver(stiffness);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <set>
 #include <span>
 #include <vector>
 
@@ -15,6 +16,8 @@ struct LinearActuator {
   std::array<double, 3> weight;
   Vec3d target;      // m
   double stiffness;  // N/m
+  /// Of unit length: it draws along this alone, and the point slides across it. Zero: it draws all ways.
+  Vec3d along{};
 
   /// From where the point is to where it is drawn, m.
   Vec3d reach(std::span<const Vec3d> position) const noexcept;
@@ -30,6 +33,9 @@ class ElasticBalance {
   /// Lets a shape memory forget how far particles lie out of the plane of their neighbours, as they do at
   /// `position`: what it still resists is shear and uneven stretch within the surface.
   void forget_bending(std::size_t memory, std::span<const Vec3d> position);
+
+  /// Makes the rings of these particles stiffer.
+  void stiffen(std::size_t memory, const std::set<int>& particles, double factor);
 
   /// Goes some steps toward the balance of all forces, from `position`: [particles] m. Each step is the one
   /// that would balance them if the local frames of shape memory stood still, one sparse linear system, cut

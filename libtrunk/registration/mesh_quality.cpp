@@ -26,12 +26,8 @@ double smallest_angle_of(std::span<const Vec3d> position, const Triangle& t) {
   return smallest;
 }
 
-void add(std::span<const Triangle> triangles, std::span<const Vec3d> before, std::span<const Vec3d> position,
-         MeshQuality& quality) {
-  for (const Triangle& t : triangles) {
-    if (!(dot(area_of(before, t), area_of(position, t)) > 0.0)) ++quality.folded;
-    quality.smallest_angle = std::min(quality.smallest_angle, smallest_angle_of(position, t));
-  }
+bool folded(std::span<const Vec3d> before, std::span<const Vec3d> position, const Triangle& t) {
+  return !(dot(area_of(before, t), area_of(position, t)) > 0.0);
 }
 
 }  // namespace
@@ -42,9 +38,24 @@ bool MeshQuality::sound() const noexcept {
 
 MeshQuality mesh_quality(const TrunkMesh& before, std::span<const Vec3d> position) {
   MeshQuality quality{std::numbers::pi, 0};
-  add(before.abdomen, before.rest, position, quality);
-  add(before.lung, before.rest, position, quality);
+  for (const auto* triangles : {&before.abdomen, &before.lung})
+    for (const Triangle& t : *triangles) {
+      quality.folded += folded(before.rest, position, t);
+      quality.smallest_angle = std::min(quality.smallest_angle, smallest_angle_of(position, t));
+    }
   return quality;
+}
+
+std::set<int> particles_of_thinned_triangles(const TrunkMesh& before, std::span<const Vec3d> from,
+                                             std::span<const Vec3d> to, double thin) {
+  std::set<int> particles;
+  for (const auto* triangles : {&before.abdomen, &before.lung})
+    for (const Triangle& t : *triangles) {
+      const double angle = smallest_angle_of(to, t);
+      if (folded(before.rest, to, t) || (angle < thin && angle < smallest_angle_of(from, t)))
+        particles.insert(t.begin(), t.end());
+    }
+  return particles;
 }
 
 }  // namespace trunk

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <set>
 #include <span>
 
 #include "anatomy/trunk_mesh.hpp"
@@ -17,5 +18,10 @@ struct MeshQuality {
 
 /// At `position`, [particles], against the mesh's own, which has to stand in the same directions.
 MeshQuality mesh_quality(const TrunkMesh& before, std::span<const Vec3d> position);
+
+/// Corners of triangles that are folded, or have become thinner from one position to the next and now have an
+/// angle smaller than `thin`, rad.
+std::set<int> particles_of_thinned_triangles(const TrunkMesh& before, std::span<const Vec3d> from,
+                                             std::span<const Vec3d> to, double thin);
 
 }  // namespace trunk

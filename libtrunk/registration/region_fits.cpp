@@ -8,8 +8,7 @@
 namespace trunk {
 namespace {
 
-constexpr double fit_spacing = 0.006;  // m, between samples
-constexpr double alike_cosine = 0.5;   // cosine, as in the matching
+constexpr std::size_t points_on_each = 20000;  // evenly over the area
 
 /// What was measured at one point of the part.
 struct Measured {
@@ -22,40 +21,31 @@ int nearest_corner(const Triangle& triangle, const std::array<double, 3>& weight
   return triangle[static_cast<std::size_t>(std::max_element(weight.begin(), weight.end()) - weight.begin())];
 }
 
-bool alike(Attraction::Facing wanted, double cosine) {
-  if (wanted == Attraction::Facing::any) return true;
-  return wanted == Attraction::Facing::alike ? cosine > alike_cosine : cosine < -alike_cosine;
-}
-
 std::vector<Measured> of_part(const TrunkMesh& mesh, const Attraction& a) {
+  const std::size_t count = std::max<std::size_t>(points_on_each, 20 * a.part.size());
   const MeasuredTarget target(*a.target);
+  const std::vector<Vec3d> points = spread_over(mesh.rest, a.part, count);
+  const auto on_part = ClosestPoints(mesh.rest, a.part)(points), on_target = target.closest(points);
   std::vector<Measured> found;
-  for (const SurfaceSample& s : surface_samples(mesh.rest, a.part, fit_spacing)) {
-    const Triangle& triangle = a.part[static_cast<std::size_t>(s.triangle)];
-    const auto hit = target.closest(s.in(mesh.rest, a.part));
-    const Vec3d normal =
-        unit_normal(a.target->points, a.target->triangles[static_cast<std::size_t>(hit.triangle)]);
-    const bool counts =
-        !target.on_border(hit) && alike(a.facing, dot(unit_normal(mesh.rest, triangle), normal));
-    found.push_back({nearest_corner(triangle, s.weight), hit.distance, counts});
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Triangle& triangle = a.part[static_cast<std::size_t>(on_part[i].triangle)];
+    const Vec3d normal = unit_normal(mesh.rest, triangle);
+    found.push_back({nearest_corner(triangle, on_part[i].weight), on_target[i].distance,
+                     !target.ends_before(points[i], normal, on_target[i]) &&
+                         a.faces(normal, target.normal(on_target[i]))});
   }
   return found;
 }
 
 std::vector<Measured> of_target(const TrunkMesh& mesh, const Attraction& a) {
-  constexpr std::size_t points = 20000;
-  const ClosestPoints part(mesh.rest, a.part), on(a.target->points, a.target->triangles);
+  const MeasuredTarget target(*a.target);
+  const std::vector<Vec3d> points = spread_over(a.target->points, a.target->triangles, points_on_each);
+  const auto on_part = ClosestPoints(mesh.rest, a.part)(points), on_target = target.closest(points);
   std::vector<Measured> found;
-  for (const Vec3d& p : spread_over(a.target->points, a.target->triangles, points)) {
-    const auto hit = part(p);
-    const Triangle& triangle = a.part[static_cast<std::size_t>(hit.triangle)];
-    bool counts = true;
-    if (a.facing != Attraction::Facing::any)
-      counts = alike(
-          a.facing,
-          dot(unit_normal(mesh.rest, triangle),
-              unit_normal(a.target->points, a.target->triangles[static_cast<std::size_t>(on(p).triangle)])));
-    found.push_back({nearest_corner(triangle, hit.weight), hit.distance, counts});
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Triangle& triangle = a.part[static_cast<std::size_t>(on_part[i].triangle)];
+    found.push_back({nearest_corner(triangle, on_part[i].weight), on_part[i].distance,
+                     a.faces(unit_normal(mesh.rest, triangle), target.normal(on_target[i]))});
   }
   return found;
 }
@@ -80,15 +70,15 @@ void add_region_fits(const TrunkMesh& mesh, const Attraction& a, std::vector<Reg
   const auto add = [&](const std::string& name, auto&& belongs) {
     const auto in_region = [&](const Measured& m) { return belongs(m.particle); };
     const auto with_data = [&](const Measured& m) { return m.with_data && belongs(m.particle); };
-    const auto samples = std::count_if(part.begin(), part.end(), in_region);
-    if (samples == 0) return;
+    const auto points = std::count_if(part.begin(), part.end(), in_region);
+    if (points == 0) return;
     const auto shown = std::count_if(part.begin(), part.end(), with_data);
     RegionFit fit{a.target->name,
                   name,
                   {},
                   {},
                   distances_of(target, with_data),
-                  static_cast<double>(shown) / static_cast<double>(samples)};
+                  static_cast<double>(shown) / static_cast<double>(points)};
     if (to_target) {
       fit.to_target = distances_of(part, with_data);
       fit.to_target_all = distances_of(part, in_region);
@@ -106,13 +96,9 @@ void add_region_fits(const TrunkMesh& mesh, const Attraction& a, std::vector<Reg
 std::vector<std::string> regions_without_data(const TrunkMesh& mesh, std::span<const Attraction> attractions,
                                               std::size_t& particles) {
   std::vector<bool> shown(mesh.rest.size());
-  for (const Attraction& a : attractions) {
-    const MeasuredTarget target(*a.target);
-    for (const SurfaceSample& s : surface_samples(mesh.rest, a.part, fit_spacing))
-      if (!target.on_border(target.closest(s.in(mesh.rest, a.part))))
-        shown[static_cast<std::size_t>(
-            nearest_corner(a.part[static_cast<std::size_t>(s.triangle)], s.weight))] = true;
-  }
+  for (const Attraction& a : attractions)
+    for (const Measured& m : of_part(mesh, a))
+      if (m.with_data) shown[static_cast<std::size_t>(m.particle)] = true;
   particles = static_cast<std::size_t>(std::count(shown.begin(), shown.end(), false));
   std::vector<std::string> regions;
   for (const auto& [name, its] : mesh.regions) {

@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <numbers>
 
 #include "errors/input_error.hpp"
 #include "mesh/volume.hpp"
+#include "registration/line_goals.hpp"
+#include "registration/measured_target.hpp"
 #include "registration/region_fits.hpp"
 #include "registration/trunk_parts.hpp"
 
@@ -78,19 +80,31 @@ LinearActuator landmark_actuator(const TrunkMesh& trunk, const std::string& name
   return actuator;
 }
 
-/// The skin and the ribs show less of where the trunk is than what lies inside; they align it where there is
-/// nothing else.
-Alignment aligned(const TrunkMesh& trunk, const std::vector<Shown>& shown,
-                  std::span<const LinearActuator> landmarks) {
+/// The trunk's part for aligning with a surface. The skin and the ribs show less of where the trunk is than
+/// what lies inside; they align it where there is nothing else.
+std::vector<SurfacePair> aligning_pairs(const TrunkMesh& trunk, const std::vector<Triangle>& outside,
+                                        const std::vector<Shown>& shown) {
   std::vector<SurfacePair> pairs;
   for (const Shown& s : shown)
     if (s.surface.name == "diaphragm" || s.surface.name == "lungs")
       pairs.push_back({trunk.rest, s.part, &s.surface});
-  const std::vector<Triangle> outside = outside_of(trunk);
   if (pairs.empty()) pairs.push_back({trunk.rest, outside, &shown.front().surface});
-  std::vector<NamedPoint> points;
-  for (const LinearActuator& a : landmarks) points.push_back({a.target - a.reach(trunk.rest), a.target});
-  return align(pairs, points);
+  return pairs;
+}
+
+void require_similar(const Similarity& similarity) {
+  constexpr double most_scale = 3.0, most_turn = 60.0 * std::numbers::pi / 180.0;
+  if (!(similarity.scale < most_scale && similarity.scale > 1.0 / most_scale))
+    throw InputError(
+        fmt::format("the surface asks for a trunk {:.3g} times the size of this one, expected {:.2g} to "
+                    "{:.2g} times: is its unit "
+                    "right, and is it what the option says?",
+                    similarity.scale, 1.0 / most_scale, most_scale));
+  if (!(similarity.angle() < most_turn))
+    throw InputError(fmt::format(
+        "the surface asks for a trunk turned by {:.0f} degrees, expected less than {:.0f}: are its "
+        "axes right, and is it what the option says?",
+        similarity.angle() * 180.0 / std::numbers::pi, most_turn * 180.0 / std::numbers::pi));
 }
 
 Volumes volumes_of(const TrunkMesh& mesh) {
@@ -163,51 +177,72 @@ std::optional<InsertionLine> insertion_on(const MeasuredSurface& diaphragm, cons
   return line;
 }
 
+/// The trunk upright, in its own directions and at the subject's size, and the subject with it.
+struct Placed {
+  TrunkMesh mesh;
+  std::vector<Shown> shown;
+  std::vector<LinearActuator> landmarks;
+  std::optional<InsertionLine> insertion;
+};
+
+Placed place(const TrunkMesh& trunk, const std::vector<Shown>& shown,
+             const std::vector<LinearActuator>& landmarks, const Similarity& similarity, LowerBorder border) {
+  Placed placed{trunk, shown, landmarks, {}};
+  const auto upright = [&](const Vec3d& p) { return turn_back(similarity.rotation, p - similarity.shift); };
+  for (Vec3d& p : placed.mesh.rest) p = similarity.scale * p;
+  for (Shown& s : placed.shown)
+    for (Vec3d& p : s.surface.points) p = upright(p);
+  for (LinearActuator& landmark : placed.landmarks) landmark.target = upright(landmark.target);
+  for (const Shown& s : placed.shown)
+    if (s.surface.name == "diaphragm") placed.insertion = insertion_on(s.surface, placed.mesh, border);
+  return placed;
+}
+
 }  // namespace
 
 Registration register_trunk(const TrunkMesh& trunk, const SubjectTargets& targets,
                             const std::function<void(int iteration, int of)>& progress) {
-  std::vector<Shown> shown = shown_by(trunk, targets);
+  const std::vector<Shown> shown = shown_by(trunk, targets);
   std::vector<LinearActuator> landmarks;
-  for (const auto& [name, place] : targets.landmarks)
+  std::vector<NamedPoint> points;
+  for (const auto& [name, place] : targets.landmarks) {
     landmarks.push_back(landmark_actuator(trunk, name, place));
+    points.push_back({place - landmarks.back().reach(trunk.rest), place});
+  }
+  const std::vector<Triangle> outside = outside_of(trunk);
+  const std::vector<SurfacePair> pairs = aligning_pairs(trunk, outside, shown);
 
   Registration result;
-  result.alignment = aligned(trunk, shown, landmarks);
+  result.alignment = align(pairs, points);
   const Similarity& similarity = result.alignment.similarity;
-  constexpr double most_scale = 3.0;
-  if (!(similarity.scale < most_scale && similarity.scale > 1.0 / most_scale))
-    throw InputError(
-        fmt::format("the surface asks for a trunk {:.3g} times the size of this one, expected {:.2g} to "
-                    "{:.2g} times: is its unit "
-                    "right, and is it what the option says?",
-                    similarity.scale, 1.0 / most_scale, most_scale));
-  // From here on upright, in the trunk's own directions and at the subject's size.
-  const auto upright = [&](const Vec3d& p) { return turn_back(similarity.rotation, p - similarity.shift); };
-  for (Shown& s : shown)
-    for (Vec3d& p : s.surface.points) p = upright(p);
-  for (LinearActuator& landmark : landmarks) landmark.target = upright(landmark.target);
-  result.mesh = trunk;
-  for (Vec3d& p : result.mesh.rest) p = similarity.scale * p;
+  require_similar(similarity);
+  const Placed placed = place(trunk, shown, landmarks, similarity, targets.lower_border);
+  const TrunkMesh aligned_mesh = placed.mesh;
+  result.mesh = placed.mesh;
   result.aligned = volumes_of(result.mesh);
-  const TrunkMesh aligned_mesh = result.mesh;
 
+  constexpr double guessed_weight = 0.1;
   MatchingGoals goals;
-  for (const Shown& s : shown) goals.attractions.push_back({&s.surface, s.part, s.direction, s.facing});
-  goals.landmarks = landmarks;
+  for (const Shown& s : placed.shown)
+    goals.attractions.push_back({&s.surface, s.part, s.direction, s.facing});
+  goals.landmarks = placed.landmarks;
   goals.apposition_length = targets.apposition_length;
-  std::optional<InsertionLine> insertion;
-  if (targets.diaphragm) insertion = insertion_on(shown.front().surface, result.mesh, targets.lower_border);
-  if (insertion) {
-    goals.insertion = &*insertion;
-    result.insertion_covered = insertion->covered();
-    fit_insertion(*insertion, result.mesh);
+  if (placed.insertion) {
+    goals.insertion = &*placed.insertion;
+    result.insertion_covered = placed.insertion->covered();
+    fit_insertion(*placed.insertion, result.mesh);
+    // A diaphragm does not show where its zone of apposition ends above: unless told, the template's
+    // proportion.
+    if (!goals.apposition_length) {
+      goals.apposition_length = mean_apposition_length(result.mesh);
+      goals.apposition_weight = guessed_weight;
+    }
   }
   Matching matching = match(result.mesh, goals, progress);
   result.mesh.rest = std::move(matching.position);
   result.iterations = matching.iterations;
   result.moved = matching.moved;
-  result.stopped_early = matching.stopped_early;
+  result.held_back = matching.held_back;
   result.matched = volumes_of(result.mesh);
   if (targets.lung_volume) size_lung(*targets.lung_volume, aligned_mesh, result.mesh);
 
@@ -215,6 +250,10 @@ Registration register_trunk(const TrunkMesh& trunk, const SubjectTargets& target
   result.extrapolated = regions_without_data(result.mesh, goals.attractions, result.particles_without_data);
   result.final = volumes_of(result.mesh);
   result.apposition_length = mean_apposition_length(result.mesh);
+  result.apposition_wanted = targets.apposition_length;
+  for (const MeasuredSurface& lung : targets.lungs)
+    result.lungs_given += enclosed_volume<double>(lung.triangles, lung.points);
+  result.closed_diaphragm = targets.diaphragm && MeasuredTarget(*targets.diaphragm).closed();
   result.quality = mesh_quality(aligned_mesh, result.mesh.rest);
   for (Vec3d& p : result.mesh.rest) p = turn(similarity.rotation, p) + similarity.shift;
   return result;

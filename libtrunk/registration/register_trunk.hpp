@@ -40,10 +40,14 @@ struct Registration {
   double insertion_covered =
       0.0;  // part of the way around on which the costal insertion was found; 0: not looked for
   Volumes aligned, matched, final;  // before the matching, after it, and with the volume wanted
+  double lungs_given = 0.0;         // m3, enclosed by the lungs that were given; 0 without
   double apposition_length = 0.0;   // m
+  std::optional<double> apposition_wanted;
+  bool closed_diaphragm =
+      false;  // the surface given as one encloses a volume: it is no sheet, perhaps no diaphragm
   int iterations = 0;
   double moved = 0.0;  // m, the farthest in the last iteration
-  bool stopped_early = false;
+  bool held_back = false;
   MeshQuality quality;
   std::vector<RegionFit> fits;            // of each target as a whole (region "all") first
   std::vector<std::string> extrapolated;  // regions of which less than half has data

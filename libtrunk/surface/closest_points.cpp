@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <thread>
 #include <unsupported/Eigen/BVH>
 #include <vector>
 
@@ -61,22 +62,42 @@ ClosestPoints::Hit closest_on(const Corners& corners, const Vec3d& p) {
   return closest.hit;
 }
 
-/// What BVMinimize asks for.
-struct Query {
-  using Scalar = double;
+using Boxes = Eigen::KdBVH<double, 3, int>;
+
+/// Goes down the tree, first where it is nearer, and leaves out boxes farther than what was found.
+struct Search {
+  const Boxes& boxes;
   const std::vector<Corners>& triangles;
   Vec3d p;
   Eigen::Vector3d at = to_eigen(p);
-  ClosestPoints::Hit hit{{}, -1, {}, HUGE_VAL};
+  ClosestPoints::Hit hit{{}, -1, {}, HUGE_VAL};  // `distance` is squared here
 
-  double minimumOnVolume(const Box& box) const { return box.squaredExteriorDistance(at); }
-  double minimumOnObject(int triangle) {
-    ClosestPoints::Hit found = closest_on(triangles[static_cast<std::size_t>(triangle)], p);
+  double squared_distance(int box) const { return boxes.getVolume(box).squaredExteriorDistance(at); }
+
+  void below(int box) {
+    Boxes::VolumeIterator inner = nullptr, inner_end = nullptr;
+    Boxes::ObjectIterator triangle = nullptr, triangle_end = nullptr;
+    boxes.getChildren(box, inner, inner_end, triangle, triangle_end);
+    for (; triangle != triangle_end; ++triangle) consider(*triangle);
+    if (inner == inner_end) return;
+    int near = *inner, far = *(inner_end - 1);
+    double to_near = squared_distance(near), to_far = squared_distance(far);
+    if (to_far < to_near) {
+      std::swap(near, far);
+      std::swap(to_near, to_far);
+    }
+    if (to_near < hit.distance) below(near);
+    if (far != near && to_far < hit.distance) below(far);
+  }
+
+  void consider(int triangle) {
+    const Corners& corners = triangles[static_cast<std::size_t>(triangle)];
+    if (box_of(corners).squaredExteriorDistance(at) >= hit.distance) return;
+    const ClosestPoints::Hit found = closest_on(corners, p);
     if (found.distance < hit.distance) {
       hit = found;
       hit.triangle = triangle;
     }
-    return found.distance;
   }
 };
 
@@ -84,7 +105,7 @@ struct Query {
 
 struct ClosestPoints::Tree {
   std::vector<Corners> triangles;
-  Eigen::KdBVH<double, 3, int> boxes;
+  Boxes boxes;
 };
 
 ClosestPoints::ClosestPoints(std::span<const Vec3d> points, std::span<const Triangle> triangles) {
@@ -114,10 +135,26 @@ ClosestPoints::ClosestPoints(ClosestPoints&&) noexcept = default;
 ClosestPoints& ClosestPoints::operator=(ClosestPoints&&) noexcept = default;
 
 ClosestPoints::Hit ClosestPoints::operator()(const Vec3d& p) const {
-  Query query{tree_->triangles, p};
-  Eigen::BVMinimize(tree_->boxes, query);
-  query.hit.distance = std::sqrt(query.hit.distance);
-  return query.hit;
+  Search search{tree_->boxes, tree_->triangles, p};
+  search.below(tree_->boxes.getRootIndex());
+  search.hit.distance = std::sqrt(search.hit.distance);
+  return search.hit;
+}
+
+std::vector<ClosestPoints::Hit> ClosestPoints::operator()(std::span<const Vec3d> points) const {
+  constexpr std::size_t worth_a_thread = 200;
+  const std::size_t threads = std::clamp<std::size_t>(points.size() / worth_a_thread, 1,
+                                                      std::max(1u, std::thread::hardware_concurrency()));
+  std::vector<Hit> hits(points.size());
+  const auto work = [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) hits[i] = (*this)(points[i]);
+  };
+  std::vector<std::jthread> others;
+  for (std::size_t k = 1; k < threads; ++k)
+    others.emplace_back(work, k * points.size() / threads, (k + 1) * points.size() / threads);
+  work(0, points.size() / threads);
+  others.clear();  // joins
+  return hits;
 }
 
 }  // namespace trunk

@@ -3,6 +3,7 @@
 #include <array>
 #include <memory>
 #include <span>
+#include <vector>
 
 #include "math/vec3.hpp"
 #include "mesh/surface.hpp"
@@ -28,6 +29,9 @@ class ClosestPoints {
 
   /// Of the whole surface to a finite point. Among equally close triangles always the same one.
   Hit operator()(const Vec3d& p) const;
+
+  /// To each of many points, on all cores; the same for any number of them.
+  std::vector<Hit> operator()(std::span<const Vec3d> points) const;
 
  private:
   struct Tree;

@@ -48,6 +48,9 @@ class Register(TrunkTest):
             for way in ("to_target", "from_target"):
                 self.assertLessEqual(region[way]["rms_mm"], rms_mm, region)
                 self.assertLessEqual(region[way]["p95_mm"], p95_mm, region)
+            everywhere = region["to_target_with_extrapolated"]
+            self.assertLessEqual(everywhere["rms_mm"], rms_mm, region)
+            self.assertLessEqual(everywhere["p95_mm"], p95_mm, region)
         self.assertEqual(report["folded_triangles"], 0)
         self.assertGreater(report["smallest_angle_deg"], 0.5)
 
