@@ -55,7 +55,16 @@ RegistrationVerdict verdict_of(const Registration& found, double tolerance) {
                                         "another --lower-border, a landmark or a cleaner surface may help",
                                         found.quality.folded, found.quality.smallest_angle / one_degree)};
   for (const RegionFit& fit : found.fits) {
-    if (fit.region != "all") continue;  // each target as a whole
+    if (fit.region != "all") continue;                       // each target as a whole
+    const double least = fit.target == "ribs" ? 0.05 : 0.6;  // our choice; there is nothing between ribs
+    if (fit.with_data < least)
+      return {
+          "mostly_extrapolated",
+          fmt::format(
+              "only {:.0f} % of the trunk's {} lie by the surface given for them, expected {:.0f} or more: "
+              "what the rest is like, and where, is a guess. Another surface beside it (--surface, "
+              "--lungs, --skin) or a landmark may settle it",
+              100.0 * fit.with_data, fit.target, 100.0 * least)};
     for (const std::optional<Distances>& d : {fit.to_target, fit.from_target})
       if (d && !(d->rms <= tolerance && d->percentile95 <= 2.0 * tolerance))
         return {"beyond_tolerance",
