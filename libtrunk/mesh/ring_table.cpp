@@ -7,20 +7,27 @@ namespace trunk {
 namespace {
 
 /// Adds a ring of a valence no smaller than the last one's.
-void append(int vertex, std::span<const int> neighbours, RingTable& table) {
+void append(int vertex, std::span<const Neighbour> neighbours, RingTable& table) {
   const int valence = static_cast<int>(neighbours.size());
   const int row = static_cast<int>(table.vertex.size());
   if (table.groups.empty() || table.groups.back().valence != valence)
     table.groups.push_back({valence, row, row, static_cast<int>(table.neighbour.size())});
   ++table.groups.back().last;
   table.vertex.push_back(vertex);
-  for (const int neighbour : neighbours) table.neighbour.emplace_back(neighbour);
+  table.neighbour.insert(table.neighbour.end(), neighbours.begin(), neighbours.end());
 }
 
-std::vector<int> particles(std::span<const Neighbour> ring) {
-  std::vector<int> numbers;
-  for (const Neighbour n : ring) numbers.push_back(n.particle());
-  return numbers;
+bool same(Neighbour a, Neighbour b) {
+  return a.particle() == b.particle();
+}
+
+/// Whether two rings are the same, wherever they begin.
+bool same_round(std::span<const Neighbour> a, std::span<const Neighbour> b) {
+  if (a.size() != b.size()) return false;
+  const auto begins = std::find_if(a.begin(), a.end(), [&](Neighbour n) { return same(n, b.front()); });
+  const auto before_end = a.end() - begins;
+  return std::equal(begins, a.end(), b.begin(), same) &&
+         std::equal(a.begin(), begins, b.begin() + before_end, same);
 }
 
 }  // namespace
@@ -30,7 +37,8 @@ RingTable ring_table(std::span<const Surface::OneRing> some) {
   std::stable_sort(rings.begin(), rings.end(),
                    [](const auto& a, const auto& b) { return a.neighbours.size() < b.neighbours.size(); });
   RingTable table;
-  for (const auto& [vertex, neighbours] : rings) append(vertex, neighbours, table);
+  for (const auto& [vertex, neighbours] : rings)
+    append(vertex, std::vector<Neighbour>(neighbours.begin(), neighbours.end()), table);
   return table;
 }
 
@@ -38,7 +46,7 @@ RingTable only_those(const RingTable& table,
                      const std::function<bool(int, std::span<const Neighbour>)>& wanted) {
   RingTable result;
   for_each_ring(table, [&](std::size_t, std::size_t vertex, auto ring) {
-    if (wanted(static_cast<int>(vertex), ring)) append(static_cast<int>(vertex), particles(ring), result);
+    if (wanted(static_cast<int>(vertex), ring)) append(static_cast<int>(vertex), ring, result);
   });
   return result;
 }
@@ -50,18 +58,11 @@ bool any_of_ring(const std::vector<bool>& mask, int vertex, std::span<const Neig
 }
 
 bool contains(const RingTable& all, const RingTable& some) {
-  std::map<std::size_t, std::vector<int>> twice_round;
-  for_each_ring(all, [&](std::size_t, std::size_t vertex, auto ring) {
-    const std::vector<int> once = particles(ring);
-    auto& twice = twice_round[vertex] = once;
-    twice.insert(twice.end(), once.begin(), once.end());
-  });
+  std::map<std::size_t, std::span<const Neighbour>> around;
+  for_each_ring(all, [&](std::size_t, std::size_t vertex, auto ring) { around[vertex] = ring; });
   bool found = true;
   for_each_ring(some, [&](std::size_t, std::size_t vertex, auto ring) {
-    const std::vector<int> once = particles(ring);
-    const auto& twice = twice_round[vertex];
-    found = found && twice.size() == 2 * once.size() &&
-            std::search(twice.begin(), twice.end(), once.begin(), once.end()) != twice.end();
+    found = found && around.contains(vertex) && same_round(around[vertex], ring);
   });
   return found;
 }

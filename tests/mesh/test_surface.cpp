@@ -126,3 +126,19 @@ TEST_CASE("The ring table visits every one-ring once, whole and in order", "[pro
     CHECK(seen.size() == surface.one_rings().size());
   }
 }
+
+TEST_CASE("A ring table contains rings wherever they begin, and no others", "[unit][mesh]") {
+  for (const Mesh& mesh : closed_meshes()) {
+    INFO(mesh.name);
+    const Surface surface = mesh.surface();
+    const RingTable table = ring_table(surface);
+    std::vector<Surface::OneRing> turned(surface.one_rings().begin(), surface.one_rings().end());
+    for (auto& [vertex, ring] : turned) std::rotate(ring.begin(), ring.begin() + vertex % 3, ring.end());
+    CHECK(contains(table, ring_table(turned)));
+    std::vector<Surface::OneRing> fewer(turned.begin() + 1, turned.end());
+    CHECK(contains(table, ring_table(fewer)));
+    CHECK_FALSE(contains(ring_table(fewer), table));
+    std::reverse(turned[0].neighbours.begin(), turned[0].neighbours.end());
+    CHECK_FALSE(contains(table, ring_table(turned)));
+  }
+}
