@@ -24,4 +24,10 @@ void add_register(CLI::App& app, Common& common, Run& run);
 void add_compare(CLI::App& app, Common& common, Run& run);
 void add_report(CLI::App& app, Common& common, Run& run);
 
+/// A finite number from lowest to highest, for an option; CLI11's own Range lets NaN pass.
+std::string require_within(const std::string& text, double lowest, double highest);
+inline auto within(double lowest, double highest) {
+  return [=](const std::string& text) { return require_within(text, lowest, highest); };
+}
+
 }  // namespace trunk

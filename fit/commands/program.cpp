@@ -32,6 +32,13 @@ int report_usage(const CLI::App& app, const CLI::ParseError& error) {
 
 }  // namespace
 
+std::string trunk::require_within(const std::string& text, double lowest, double highest) {
+  double number = 0.0;
+  const bool good =
+      CLI::detail::lexical_cast(text, number) && number >= lowest && number <= highest;  // NaN is neither
+  return good ? "" : fmt::format("'{}', expected a number from {:g} to {:g}", text, lowest, highest);
+}
+
 int trunk::run_program(int argc, char** argv) {
   gsl_set_error_handler_off();    // it would abort
   std::signal(SIGXFSZ, SIG_IGN);  // a limit on file sizes is then an error of write() like a full disk

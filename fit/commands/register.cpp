@@ -7,6 +7,7 @@
 #include "commands/registration_text.hpp"
 #include "commands/shipped_files.hpp"
 #include "commands/surface_options.hpp"
+#include "dynamics/stability.hpp"
 #include "errors/input_error.hpp"
 #include "io/scenario_file.hpp"
 #include "io/trunk_pml.hpp"
@@ -95,17 +96,26 @@ LowerBorder lower_border_of(const std::string& word) {
   return word == "cut" ? LowerBorder::cut : LowerBorder::automatic;
 }
 
+/// A finer mesh, or thin triangles, may ask for shorter steps than the scenario's.
+bool step_too_long(Scenario scenario, const TrunkMesh& mesh) {
+  scenario.mesh = std::make_shared<const TrunkMesh>(mesh);
+  const Trunk trunk = make_trunk(scenario);
+  return !scenario.automatic_step &&
+         scenario.time.dt_s >= stable_time_step(trunk.model, scenario.parameters, scenario.time.damping);
+}
+
 /// The scenario of the subject: the one that was registered, with another trunk. Numbers that were fitted to
 /// the other trunk are in it until `trunk fit` finds this subject's.
-std::string subject_toml(const fs::path& scenario, const fs::path& pml) {
+std::string subject_toml(const fs::path& scenario, const fs::path& pml, bool shorter_steps) {
   const fs::path extended = fs::proximate(fs::absolute(scenario), fs::absolute(pml).parent_path());
   const auto quoted = [](const std::string& text) { return Json(text).dump(); };
   return fmt::format(
       "# Written by `trunk register`. The trunk is the subject's; the parameters are still those of the "
       "scenario it extends:\n"
       "# `trunk fit` finds the subject's own.\n"
-      "schema = \"trunk.scenario/1\"\nextends = {}\ntitle = {}\n\n[geometry]\npml = {}\n",
-      quoted(extended.string()), quoted(pml.stem().string()), quoted(pml.filename().string()));
+      "schema = \"trunk.scenario/1\"\nextends = {}\ntitle = {}\n\n[geometry]\npml = {}\n{}",
+      quoted(extended.string()), quoted(pml.stem().string()), quoted(pml.filename().string()),
+      shorter_steps ? "\n[time]\ndt_ms = \"auto\"  # the scenario's is unstable on this mesh\n" : "");
 }
 
 TrunkMesh trunk_to_register(const RegisterRequest& request, ScenarioFile& file) {
@@ -158,7 +168,7 @@ Exit register_command(const Common& common, RegisterRequest request) {
   const RegistrationVerdict verdict = verdict_of(found, 1e-3 * request.tolerance_mm);
   require_upright(found.mesh);
   replace_file(pml, trunk_pml(found.mesh, found.mesh.given, scenario.scenario.rigid, pml.stem().string()));
-  replace_file(toml, subject_toml(request.scenario, pml));
+  replace_file(toml, subject_toml(request.scenario, pml, step_too_long(scenario.scenario, found.mesh)));
   const std::vector<std::string> warnings = warnings_of(found);
   for (const std::string& note : reader.notes()) print_note("note: " + note);
   for (const std::string& warning : warnings) print_note("warning: " + warning);
@@ -197,19 +207,19 @@ void add_register(CLI::App& app, Common& common, Run& run) {
   command
       ->add_option("--landmark", request->landmarks,
                    "name=x,y,z: where a landmark of the trunk is (dome_top_right, dome_top_left, "
-                   "dome_saddle, lung_top), in "
+                   "dome_saddle, lung_top, spine), in "
                    "the coordinates of the first file; may be repeated")
       ->take_all();
   command
       ->add_option("--lung-volume-ml", request->lung_volume_ml,
                    "at the end of expiration; the lung's height follows from it [the scenario's, 4760; with "
-                   "--lungs theirs]")
-      ->check(CLI::Range(200.0, 20000.0));
+                   "--lungs as the matching leaves it]")
+      ->check(within(200.0, 20000.0));
   command
       ->add_option(
           "--apposition-length-mm", request->apposition_length_mm,
           "mean length of the zone of apposition along the muscle [as the surface and shape memory leave it]")
-      ->check(CLI::Range(5.0, 400.0));
+      ->check(within(5.0, 400.0));
   command
       ->add_option("--lower-border", request->lower_border,
                    "what the diaphragm's lower border is: the costal insertion, or where the data were cut "
@@ -224,7 +234,7 @@ void add_register(CLI::App& app, Common& common, Run& run) {
           "--tolerance-mm", request->tolerance_mm,
           "largest RMS distance between trunk and surface, both ways, that exits 0; the 95th percentile "
           "may be twice that [5]")
-      ->check(CLI::Range(0.01, 100.0));
+      ->check(within(0.01, 100.0));
   command
       ->add_option("-o,--output", request->output,
                    "the subject's trunk (PML); its scenario goes beside it as .toml")

@@ -92,7 +92,7 @@ void add_simulate(CLI::App& app, Common& common, Run& run) {
           "--every", request->frame_every_ms,
           "ms between the frames of the stored trajectory [time.frame_every_ms of the scenario, 10]; "
           "0: a summary, with no trajectory and curves every 10 ms")
-      ->check(CLI::Range(0.0, 1e6));
+      ->check(within(0.0, 1e6));
   command->add_flag("--json", common.json, "print one JSON object");
   command->add_flag("--force", common.force, "replace the result file if it exists");
   command->callback(

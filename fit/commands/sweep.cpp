@@ -141,12 +141,7 @@ void add_sweep(CLI::App& app, Common& common, Run& run) {
                       "k/n: every n-th run from the k-th on, for one of n processes on the same folder; then "
                       "`trunk merge`");
   command->add_option("--timeout", options.timeout_s, "give up a run after so many seconds [never]")
-      ->check([](const std::string& text) {  // CLI11's own range lets NaN through
-        double seconds = 0.0;
-        return CLI::detail::lexical_cast(text, seconds) && seconds >= 1e-3 && seconds <= 1e9
-                   ? ""
-                   : "'" + text + "', expected 0.001 to 1e9 seconds";
-      });
+      ->check(within(1e-3, 1e9));
   command->add_flag("--retry-failed", options.retry_failed, "simulate again what failed or timed out before");
   command->add_flag("--json", common.json, "print one JSON object");
   command->add_flag("--force", common.force, "delete the runs of another sweep in that folder");

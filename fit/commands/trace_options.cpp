@@ -1,5 +1,7 @@
 #include "commands/trace_options.hpp"
 
+#include "commands/commands.hpp"
+
 namespace trunk {
 namespace {
 
@@ -35,7 +37,7 @@ void add_signal_options(CLI::App& command, SignalOptions& options) {
   command.add_option("--time-unit", options.time_unit,
                      "unit of the times, where their header names none: s, ms, min");
   command.add_option("--rate", options.rate_hz, "samples a second, where the file has no times")
-      ->check(CLI::Range(1e-3, 1e6))
+      ->check(within(1e-3, 1e6))
       ->excludes(time);
   command.add_flag("--invert", options.invert, "the signal is positive on expiration: turn its sign");
 }
