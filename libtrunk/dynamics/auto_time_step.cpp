@@ -84,14 +84,18 @@ std::optional<double> estimated_error(const Model& model, const Trial<double>& t
   return difference(*coarse, fine) * grid.dt_s / (grid.dt_s - fine.dt_s);
 }
 
-/// The longest one well above the reference's that serves, from that part of the bounds down.
+constexpr double safety = 0.95, longest_s = 8e-3;
+
+/// The longest one well above the reference's that serves, from that part of the bounds down; a bound beyond
+/// what is asked for, or none, counts as one at it.
 std::optional<TimeStepChoice> longest_that_serves(const Model& model, const Trial<double>& trial,
                                                   double duration_s, const Bounds& bounds,
                                                   const Sampled& fine, double& part) {
-  constexpr double longest_s = 8e-3, shorter = 0.85;
-  for (; part * bounds.longest() > 1.5 * fine.dt_s; part *= shorter)
+  constexpr double shorter = 0.85;
+  const auto step_s = [&](double bound_s) { return part * std::min(bound_s, longest_s / safety); };
+  for (; step_s(bounds.longest()) > 1.5 * fine.dt_s; part *= shorter)
     for (const Damping damping : {Damping::centred, Damping::implicit}) {
-      const TimeGrid grid = grid_of(std::min(longest_s, part * bounds.of(damping)), duration_s, damping);
+      const TimeGrid grid = grid_of(step_s(bounds.of(damping)), duration_s, damping);
       if (grid.dt_s < 1.5 * fine.dt_s) continue;
       const auto error = estimated_error(model, trial, grid, fine);
       if (error && *error <= auto_time_step_tolerance)
@@ -104,7 +108,6 @@ std::optional<TimeStepChoice> longest_that_serves(const Model& model, const Tria
 
 TimeStepChoice auto_time_step(const Model& model, const Parameters<double>& parameters,
                               const BreathActivation<double>& activation, double duration_s, double stiffer) {
-  constexpr double safety = 0.95;
   constexpr int most_halvings = 3;
   const Trial<double> trial{parameters, activation};
   const Bounds bounds = bounds_of(model, parameters, stiffer);

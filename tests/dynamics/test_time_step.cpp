@@ -173,6 +173,16 @@ TEST_CASE("Stiffer and finer models, and faster breaths, are given shorter steps
   }
 }
 
+TEST_CASE("A model without stiffness, whose step nothing bounds, is given one all the same",
+          "[unit][dynamics]") {
+  Scenario loose = shipped("published_healthy");
+  loose.parameters.elasticity = loose.parameters.muscle = 0.0;
+  const Trunk trunk = make_trunk(loose);
+  const TimeStepChoice choice = auto_time_step(trunk.model, loose.parameters, loose.activation, 0.1);
+  CHECK(std::isinf(choice.stable_s));
+  CHECK(choice.grid.dt_s <= 8e-3);
+}
+
 TEST_CASE("Where no step will do, that is said", "[unit][dynamics]") {
   const Scenario s = shipped("healthy");
   const Model model = make_trunk(s).model;
