@@ -1,6 +1,6 @@
 #pragma once
 
-#include "io/trace.hpp"
+#include "traces/trace.hpp"
 
 namespace trunk {
 

@@ -9,7 +9,7 @@
 #include "breaths/volume_signal.hpp"
 #include "breaths/whole_breaths.hpp"
 #include "errors/input_error.hpp"
-#include "io/message_text.hpp"
+#include "text/message_text.hpp"
 
 namespace trunk {
 namespace {

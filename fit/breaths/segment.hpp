@@ -5,7 +5,7 @@
 
 #include "breaths/breath.hpp"
 #include "breaths/selection.hpp"
-#include "io/trace.hpp"
+#include "traces/trace.hpp"
 
 namespace trunk {
 

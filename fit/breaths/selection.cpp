@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "errors/input_error.hpp"
-#include "io/message_text.hpp"
+#include "text/message_text.hpp"
 
 namespace trunk {
 namespace {

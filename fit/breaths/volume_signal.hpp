@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "io/trace.hpp"
+#include "traces/trace.hpp"
 
 namespace trunk {
 

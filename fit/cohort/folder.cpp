@@ -3,9 +3,9 @@
 #include <span>
 
 #include "errors/input_error.hpp"
-#include "io/text_file.hpp"
-#include "results/summary.hpp"
-#include "results/target_file.hpp"
+#include "files/read_file.hpp"
+#include "files/replace_file.hpp"
+#include "results/read/summary.hpp"
 
 namespace trunk {
 namespace {

@@ -1,10 +1,10 @@
 #include <span>
 
-#include "commands/breath_options.hpp"
-#include "commands/breath_table.hpp"
 #include "commands/commands.hpp"
-#include "commands/trace_options.hpp"
-#include "results/target_file.hpp"
+#include "commands/options/breath_options.hpp"
+#include "commands/options/trace_options.hpp"
+#include "commands/text/breath_table.hpp"
+#include "files/replace_file.hpp"
 
 namespace trunk {
 namespace {

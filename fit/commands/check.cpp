@@ -6,8 +6,8 @@
 #include "commands/check_fit.hpp"
 #include "commands/commands.hpp"
 #include "dynamics/stability.hpp"
-#include "io/scenario_file.hpp"
-#include "io/scenario_keys.hpp"
+#include "scenarios/build_trunk.hpp"
+#include "scenarios/keys.hpp"
 
 namespace trunk {
 namespace {

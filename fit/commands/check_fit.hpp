@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "commands/fit_options.hpp"
+#include "commands/options/fit_options.hpp"
 #include "errors/input_error.hpp"
 
 namespace trunk {

@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "errors/input_error.hpp"
-#include "io/message_text.hpp"
+#include "text/message_text.hpp"
 
 namespace trunk {
 namespace {

@@ -4,8 +4,8 @@
 
 #include "cohort/list.hpp"
 #include "cohort/table.hpp"
-#include "commands/fit_options.hpp"
-#include "commands/output.hpp"
+#include "commands/options/fit_options.hpp"
+#include "commands/text/output.hpp"
 
 namespace trunk {
 

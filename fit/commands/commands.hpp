@@ -2,7 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "commands/output.hpp"
+#include "commands/text/output.hpp"
 
 namespace trunk {
 

@@ -3,11 +3,11 @@
 #include <numbers>
 
 #include "commands/commands.hpp"
-#include "commands/surface_options.hpp"
+#include "commands/options/surface_options.hpp"
 #include "errors/input_error.hpp"
 #include "exports/csv_table.hpp"
 #include "exports/vtk_files.hpp"
-#include "results/target_file.hpp"
+#include "files/replace_file.hpp"
 
 namespace trunk {
 namespace {

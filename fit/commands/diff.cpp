@@ -1,10 +1,10 @@
 #include <fmt/format.h>
 
 #include "commands/commands.hpp"
-#include "commands/comparison_text.hpp"
+#include "commands/text/comparison_text.hpp"
 #include "errors/input_error.hpp"
-#include "results/read_records.hpp"
-#include "results/summary.hpp"
+#include "results/read/read_records.hpp"
+#include "results/read/summary.hpp"
 
 namespace trunk {
 namespace {

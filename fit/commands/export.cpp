@@ -6,13 +6,13 @@
 #include "errors/input_error.hpp"
 #include "exports/csv_tables.hpp"
 #include "exports/vtk_files.hpp"
-#include "io/region_loads_lml.hpp"
-#include "io/scenario_file.hpp"
-#include "io/trunk_pml.hpp"
-#include "results/read_records.hpp"
-#include "results/summary.hpp"
-#include "results/target_file.hpp"
-#include "results/vtkhdf_view.hpp"
+#include "files/replace_file.hpp"
+#include "results/read/read_records.hpp"
+#include "results/read/summary.hpp"
+#include "results/write/vtkhdf_view.hpp"
+#include "scenarios/read_scenario.hpp"
+#include "trunks/read_trunk_pml.hpp"
+#include "trunks/region_loads_lml.hpp"
 
 namespace trunk {
 namespace {

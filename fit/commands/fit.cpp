@@ -2,9 +2,9 @@
 
 #include "commands/commands.hpp"
 #include "commands/fit_cohort.hpp"
-#include "commands/fit_text.hpp"
+#include "commands/text/fit_text.hpp"
 #include "errors/input_error.hpp"
-#include "results/target_file.hpp"
+#include "files/replace_file.hpp"
 
 namespace trunk {
 namespace {

@@ -9,12 +9,12 @@
 
 #include "cohort/folder.hpp"
 #include "commands/cohort_rows.hpp"
-#include "commands/fit_text.hpp"
+#include "commands/text/fit_text.hpp"
 #include "errors/input_error.hpp"
+#include "files/replace_file.hpp"
+#include "files/sha256.hpp"
 #include "parallel/workers.hpp"
-#include "recording/provenance.hpp"
-#include "results/sha256.hpp"
-#include "results/target_file.hpp"
+#include "records/provenance.hpp"
 
 namespace trunk {
 namespace {

@@ -7,10 +7,10 @@
 #include <cmath>
 
 #include "errors/input_error.hpp"
-#include "recording/fit_record.hpp"
-#include "recording/provenance.hpp"
-#include "results/fit_file.hpp"
-#include "results/target_file.hpp"
+#include "files/replace_file.hpp"
+#include "records/fit_record.hpp"
+#include "records/provenance.hpp"
+#include "results/write/write_fit.hpp"
 #include "subject/record.hpp"
 
 namespace trunk {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "commands/fit_options.hpp"
-#include "commands/output.hpp"
+#include "commands/options/fit_options.hpp"
+#include "commands/text/output.hpp"
 #include "subject/each_breath.hpp"
 #include "subject/predict.hpp"
 

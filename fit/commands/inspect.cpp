@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include "commands/commands.hpp"
-#include "results/describe.hpp"
+#include "results/inspect/print_description.hpp"
 
 namespace trunk {
 

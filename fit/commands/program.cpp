@@ -7,7 +7,7 @@
 #include "commands/commands.hpp"
 #include "commands/program.hpp"
 #include "errors/input_error.hpp"
-#include "recording/provenance.hpp"
+#include "records/provenance.hpp"
 
 namespace {
 

@@ -4,15 +4,15 @@
 #include <chrono>
 
 #include "commands/commands.hpp"
-#include "commands/registration_text.hpp"
-#include "commands/shipped_files.hpp"
-#include "commands/surface_options.hpp"
+#include "commands/options/shipped_files.hpp"
+#include "commands/options/surface_options.hpp"
+#include "commands/text/registration_text.hpp"
 #include "dynamics/stability.hpp"
 #include "errors/input_error.hpp"
-#include "io/scenario_file.hpp"
-#include "io/trunk_pml.hpp"
-#include "results/target_file.hpp"
+#include "files/replace_file.hpp"
+#include "scenarios/read_scenario.hpp"
 #include "surface/axes.hpp"
+#include "trunks/read_trunk_pml.hpp"
 
 namespace trunk {
 namespace {

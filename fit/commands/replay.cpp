@@ -1,11 +1,12 @@
 #include <fmt/format.h>
 
 #include "commands/commands.hpp"
-#include "commands/comparison_text.hpp"
-#include "recording/provenance.hpp"
-#include "recording/run_record.hpp"
-#include "results/read_records.hpp"
-#include "results/summary.hpp"
+#include "commands/text/comparison_text.hpp"
+#include "records/provenance.hpp"
+#include "records/run_record.hpp"
+#include "results/read/read_records.hpp"
+#include "results/read/summary.hpp"
+#include "scenarios/build_trunk.hpp"
 
 namespace trunk {
 namespace {

@@ -1,10 +1,10 @@
 #include <fmt/format.h>
 
 #include "commands/commands.hpp"
-#include "commands/surface_options.hpp"
+#include "commands/options/surface_options.hpp"
 #include "errors/input_error.hpp"
+#include "files/replace_file.hpp"
 #include "report/page.hpp"
-#include "results/target_file.hpp"
 
 namespace trunk {
 namespace {

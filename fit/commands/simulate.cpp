@@ -3,11 +3,12 @@
 #include <cmath>
 
 #include "commands/commands.hpp"
-#include "recording/provenance.hpp"
-#include "recording/run_record.hpp"
-#include "results/run_file.hpp"
-#include "results/summary.hpp"
-#include "results/target_file.hpp"
+#include "files/replace_file.hpp"
+#include "records/provenance.hpp"
+#include "records/run_record.hpp"
+#include "results/read/summary.hpp"
+#include "results/write/write_run.hpp"
+#include "scenarios/build_trunk.hpp"
 
 namespace trunk {
 namespace {

@@ -4,6 +4,7 @@
 
 #include "commands/commands.hpp"
 #include "errors/input_error.hpp"
+#include "sweep/progress.hpp"
 #include "sweep/run_sweep.hpp"
 #include "sweep/table.hpp"
 

@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
 #include "commands/commands.hpp"
-#include "commands/shipped_files.hpp"
-#include "commands/validation_text.hpp"
+#include "commands/options/shipped_files.hpp"
+#include "commands/text/validation_text.hpp"
 
 namespace trunk {
 namespace {

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "breaths/mean_breath.hpp"
-#include "io/scenario_file.hpp"
 #include "problem/objective.hpp"
+#include "scenarios/read_scenario.hpp"
 
 namespace trunk {
 

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "errors/input_error.hpp"
-#include "results/read_records.hpp"
-#include "results/summary.hpp"
+#include "results/read/read_records.hpp"
+#include "results/read/summary.hpp"
 
 namespace trunk {
 

@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "report/packed.hpp"
-#include "results/read_sweep.hpp"
+#include "results/read/read_sweep.hpp"
 #include "results/records.hpp"
 
 namespace trunk {

@@ -10,6 +10,7 @@
 #include <span>
 
 #include "parallel/workers.hpp"
+#include "scenarios/build_trunk.hpp"
 #include "search/multistart.hpp"
 
 namespace trunk {

@@ -6,9 +6,10 @@
 #include <charconv>
 
 #include "errors/input_error.hpp"
-#include "io/trunk_pml.hpp"
-#include "recording/provenance.hpp"
-#include "results/summary.hpp"
+#include "records/provenance.hpp"
+#include "results/read/summary.hpp"
+#include "scenarios/build_trunk.hpp"
+#include "trunks/read_trunk_pml.hpp"
 
 namespace trunk {
 namespace {

@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "estimation/estimate.hpp"
-#include "io/scenario_file.hpp"
+#include "scenarios/read_scenario.hpp"
 
 namespace trunk {
 

@@ -8,7 +8,8 @@
 
 #include "anatomy/breath_run.hpp"
 #include "errors/input_error.hpp"
-#include "recording/run_record.hpp"
+#include "records/run_record.hpp"
+#include "scenarios/build_trunk.hpp"
 
 namespace trunk {
 namespace {

@@ -5,9 +5,9 @@
 #include <optional>
 #include <vector>
 
-#include "io/scenario_file.hpp"
+#include "results/read/summary.hpp"
 #include "results/records.hpp"
-#include "results/summary.hpp"
+#include "scenarios/read_scenario.hpp"
 #include "sweep/design.hpp"
 #include "sweep/journal.hpp"
 #include "sweep/stable_range.hpp"

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "io/scenario_file.hpp"
+#include "scenarios/read_scenario.hpp"
 
 namespace trunk {
 

@@ -5,77 +5,17 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cstring>
-#include <sstream>
 
 #include "errors/input_error.hpp"
-#include "io/text_file.hpp"
-#include "io/trunk_pml.hpp"
-#include "recording/provenance.hpp"
-#include "results/sha256.hpp"
-#include "results/target_file.hpp"
+#include "files/read_file.hpp"
+#include "files/replace_file.hpp"
+#include "sweep/fingerprint.hpp"
 
 namespace trunk {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::size_t longest_text = 10'000'000;
-
-std::string program_text() {
-  const Provenance program = provenance_of({}, "");
-  return fmt::format("trunk {} {}{}", program.version, program.git_sha, program.git_dirty ? "+" : "");
-}
-
-/// Lines: the number of runs, the program, the hash of all that decides the results, then the hash and name
-/// of every file.
-std::string fingerprint_of(const SweepDesign& design) {
-  std::vector<fs::path> inputs;
-  std::string all = program_text() + design.text;
-  for (const auto& source : design.scenarios) {
-    const ScenarioFile file = read_scenario(source.path);
-    inputs.insert(inputs.end(), file.inputs.begin(), file.inputs.end());
-    all += to_toml(file.scenario);
-    if (file.scenario.mesh) all += trunk_pml(file.scenario);
-  }
-  for (const auto& source : design.subjects) inputs.push_back(source.path);
-  inputs.push_back(design.path);
-  std::string hashes;
-  for (const auto& [name, hash] : provenance_of(inputs, "").input_sha256)
-    hashes += fmt::format("{}  {}\n", hash, name);
-  for (const auto& source : design.subjects) all += sha256_of_file(source.path);
-  return fmt::format("{}\n{}\n{}\n{}", design.runs(), program_text(), sha256_of_text(all), hashes);
-}
-
-std::string read_fingerprint(const fs::path& folder) {
-  const fs::path file = folder / "fingerprint";
-  return fs::is_directory(folder) && fs::exists(file) ? read_text_file(file, longest_text) : "";
-}
-
-/// The lines from a number on, counted from 0.
-std::vector<std::string> lines_from(std::size_t first, const std::string& fingerprint) {
-  std::istringstream text(fingerprint);
-  std::vector<std::string> lines;
-  for (std::string line; std::getline(text, line);) lines.push_back(line);
-  lines.erase(lines.begin(), lines.begin() + static_cast<std::ptrdiff_t>(std::min(first, lines.size())));
-  return lines;
-}
-
-/// What two fingerprints of the same sweep share: where its files were called from does not count.
-std::string identity(const std::string& fingerprint) {
-  std::size_t end = 0;
-  for (int line = 0; line < 3 && end != std::string::npos; ++line) end = fingerprint.find('\n', end + 1);
-  return fingerprint.substr(0, end);
-}
-
-std::size_t runs_in(const std::string& fingerprint, const fs::path& folder) {
-  std::size_t runs = 0;
-  const auto parsed = std::from_chars(fingerprint.data(), fingerprint.data() + fingerprint.size(), runs);
-  if (fingerprint.empty() || parsed.ec != std::errc())
-    throw InputError(folder.string(), 0, "holds no sweep, expected a folder written by `trunk sweep`");
-  return runs;
-}
 
 /// True for a new folder, and for one in which a sweep could only just begin.
 bool holds_nothing(const fs::path& folder) {
@@ -128,11 +68,6 @@ bool holds_another(const fs::path& folder, const std::string& mine, bool force) 
   if (foreign)
     throw InputError(folder.string(), 0, "is not empty and holds no sweep, expected a new folder or --force");
   return false;
-}
-
-/// The same, but never more than a design makes: a damaged folder may claim any number.
-std::size_t most_runs_in(const std::string& fingerprint, const fs::path& folder) {
-  return std::min<std::size_t>(runs_in(fingerprint, folder), 1 << 24);
 }
 
 }  // namespace
@@ -203,7 +138,7 @@ void SweepFolder::for_each_row(const std::function<void(SweepRow)>& visit) const
 
 SweepDesign SweepFolder::design() const {
   const fs::path file = path_ / "sweep.toml";
-  SweepDesign design = parse_sweep_design(read_text_file(file, longest_text), file.string());
+  SweepDesign design = parse_sweep_design(read_text_file(file, longest_sweep_text), file.string());
   if (design.runs() != runs_in(fingerprint_, path_))
     throw InputError(file.string(), 0,
                      fmt::format("makes {} runs, expected {}: it was changed", design.runs(),
@@ -218,29 +153,6 @@ std::vector<std::pair<std::string, std::string>> SweepFolder::inputs() const {
     inputs.emplace_back(line.substr(std::min(gap + 2, line.size())), line.substr(0, gap));
   }
   return inputs;
-}
-
-SweepProgress progress_of(const fs::path& folder) {
-  constexpr double recent_s = 60.0;
-  SweepProgress progress;
-  const std::string fingerprint = read_fingerprint(folder);
-  progress.runs = runs_in(fingerprint, folder);
-  std::vector<char> state(most_runs_in(fingerprint, folder), 0);  // 1 completed, 2 failed
-  std::vector<double> ended_at;
-  read_journals(folder / "journal", identity(fingerprint), state.size(), [&](const SweepRow& row) {
-    state[row.run] = row.status == "completed" ? 1 : 2;
-    ended_at.push_back(row.ended_at);
-  });
-  progress.failed = static_cast<std::size_t>(std::count(state.begin(), state.end(), 2));
-  progress.done = progress.failed + static_cast<std::size_t>(std::count(state.begin(), state.end(), 1));
-  std::sort(ended_at.begin(), ended_at.end());
-  if (!ended_at.empty()) {
-    const auto first = std::lower_bound(ended_at.begin(), ended_at.end(), ended_at.back() - recent_s);
-    const double lasted_s = ended_at.back() - *first;
-    if (lasted_s > 0.0) progress.runs_per_s = static_cast<double>(ended_at.end() - first - 1) / lasted_s;
-  }
-  progress.has_table = fs::exists(folder / "sweep.h5");
-  return progress;
 }
 
 }  // namespace trunk

@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
+#include "files/lock.hpp"
 #include "sweep/design.hpp"
 #include "sweep/journal.hpp"
-#include "sweep/lock.hpp"
 
 namespace trunk {
 
@@ -60,13 +60,5 @@ class SweepFolder {
   std::string fingerprint_;
   std::shared_ptr<const int> lock_;
 };
-
-/// How far a folder is; anyone may look at any time. Throws InputError where it holds no sweep.
-struct SweepProgress {
-  std::size_t runs = 0, done = 0, failed = 0;
-  double runs_per_s = 0.0;  // over the last minute of work; 0: not known
-  bool has_table = false;
-};
-SweepProgress progress_of(const std::filesystem::path& folder);
 
 }  // namespace trunk

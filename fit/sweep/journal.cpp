@@ -11,8 +11,8 @@
 #include <utility>
 
 #include "errors/input_error.hpp"
-#include "results/sha256.hpp"
-#include "sweep/lock.hpp"
+#include "files/lock.hpp"
+#include "files/sha256.hpp"
 
 namespace trunk {
 namespace {

@@ -4,10 +4,10 @@
 #include <cmath>
 
 #include "errors/input_error.hpp"
-#include "io/text_file.hpp"
-#include "io/toml_values.hpp"
-#include "recording/run_record.hpp"
-#include "results/summary.hpp"
+#include "files/read_file.hpp"
+#include "records/run_record.hpp"
+#include "results/read/summary.hpp"
+#include "scenarios/toml_values.hpp"
 #include "sweep/design.hpp"
 #include "sweep/sampling.hpp"
 

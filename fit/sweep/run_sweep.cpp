@@ -4,8 +4,8 @@
 #include <chrono>
 
 #include "parallel/workers.hpp"
-#include "recording/provenance.hpp"
-#include "results/run_file.hpp"
+#include "records/provenance.hpp"
+#include "results/write/write_run.hpp"
 #include "sweep/simulator.hpp"
 
 namespace trunk {

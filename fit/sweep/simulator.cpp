@@ -3,7 +3,8 @@
 #include <algorithm>
 
 #include "anatomy/breath_run.hpp"
-#include "recording/run_record.hpp"
+#include "records/run_record.hpp"
+#include "scenarios/build_trunk.hpp"
 
 namespace trunk {
 

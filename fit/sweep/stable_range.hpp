@@ -8,6 +8,7 @@
 
 #include "anatomy/scenario.hpp"
 #include "errors/input_error.hpp"
+#include "scenarios/build_trunk.hpp"
 
 namespace trunk {
 

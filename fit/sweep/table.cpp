@@ -8,11 +8,11 @@
 #include <span>
 
 #include "errors/input_error.hpp"
-#include "io/scenario_keys.hpp"
-#include "recording/provenance.hpp"
-#include "recording/run_record.hpp"
-#include "results/sweep_file.hpp"
-#include "results/target_file.hpp"
+#include "files/replace_file.hpp"
+#include "records/provenance.hpp"
+#include "records/run_record.hpp"
+#include "results/write/write_sweep.hpp"
+#include "scenarios/keys.hpp"
 #include "sweep/simulator.hpp"
 
 namespace trunk {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "io/message_text.hpp"
+#include "text/message_text.hpp"
 
 namespace trunk {
 namespace {

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "errors/input_error.hpp"
-#include "io/scenario_file.hpp"
-#include "recording/run_record.hpp"
+#include "records/run_record.hpp"
+#include "scenarios/build_trunk.hpp"
 
 namespace trunk {
 namespace {

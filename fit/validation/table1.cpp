@@ -6,9 +6,9 @@
 #include <optional>
 
 #include "errors/input_error.hpp"
-#include "io/delimited_text.hpp"
-#include "io/message_text.hpp"
-#include "io/text_file.hpp"
+#include "files/read_file.hpp"
+#include "tables/delimited_text.hpp"
+#include "text/message_text.hpp"
 
 namespace trunk {
 namespace {

@@ -1,4 +1,4 @@
-#include "dynamics/volume_curve.hpp"
+#include "dynamics/simulate.hpp"
 
 #include <fmt/format.h>
 
@@ -24,23 +24,6 @@ Summary ended(Summary::Status status, int step, double time_s) {
     return Summary{}.message;
   };
   return {status, step, time_s, message()};
-}
-
-LungGain::LungGain(const Model& model)
-    : moving_(by_motion(model.lung_fans, model).moving),
-      start_(volume_of_fans<double>(moving_, model.rest)) {}
-
-void require_lung(double lowest_volume, Summary& summary) {
-  if (!summary.completed() || lowest_volume > 0.0) return;
-  summary.status = Summary::Status::diverged;
-  summary.message = fmt::format(
-      "the lung lost all of its volume (lowest: {:.0f} ml): the loads or movements are more than this "
-      "model can follow",
-      1e6 * lowest_volume);
-}
-
-void require_lung(double start_volume, VolumeCurve& curve) {
-  require_lung(start_volume + *std::min_element(curve.delta_v.begin(), curve.delta_v.end()), curve.summary);
 }
 
 double height(const Model& model) {

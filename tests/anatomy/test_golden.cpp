@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "results/sha256.hpp"
+#include "files/sha256.hpp"
 #include "support/trunks.hpp"
 
 /// Holds the simulator against trajectories that the independent oracle wrote (reference/golden).

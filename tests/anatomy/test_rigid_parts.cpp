@@ -6,6 +6,7 @@
 
 #include "errors/input_error.hpp"
 #include "math/units.hpp"
+#include "scenarios/build_trunk.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/trunks.hpp"
 

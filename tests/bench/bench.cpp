@@ -19,8 +19,8 @@
 #include "dynamics/stability.hpp"
 #include "dynamics/volume_curve.hpp"
 #include "estimation/estimate.hpp"
-#include "io/scenario_file.hpp"
 #include "parallel/workers.hpp"
+#include "scenarios/read_scenario.hpp"
 
 namespace {
 

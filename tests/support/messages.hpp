@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "errors/input_error.hpp"
-#include "io/scenario_file.hpp"
+#include "scenarios/build_trunk.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace trunk::test {

@@ -4,8 +4,8 @@
 #include <string>
 
 #include "errors/input_error.hpp"
-#include "io/trace.hpp"
 #include "support/temporary_folder.hpp"
+#include "traces/read_trace.hpp"
 
 namespace trunk::test {
 

@@ -6,7 +6,7 @@
 
 #include "anatomy/breath_run.hpp"
 #include "forces/shape_memory.hpp"
-#include "io/scenario_file.hpp"
+#include "scenarios/read_scenario.hpp"
 #include "support/zoo.hpp"
 
 namespace trunk::test {
@@ -16,7 +16,7 @@ inline std::size_t at(int i) {
 }
 
 inline std::filesystem::path scenario_folder() {
-  return std::filesystem::path(__FILE__).parent_path().parent_path().parent_path() / "scenarios";
+  return std::filesystem::path(TRUNK_SOURCE_DIR) / "scenarios";
 }
 
 /// A scenario that ships, by name: "healthy".

@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "errors/input_error.hpp"
-#include "results/sha256.hpp"
+#include "files/sha256.hpp"
 
 namespace trunk {
 namespace {

@@ -4,8 +4,8 @@
 #include <limits>
 #include <set>
 
+#include "files/sha256.hpp"
 #include "results/hdf5/types.hpp"
-#include "results/sha256.hpp"
 
 namespace trunk::hdf5 {
 namespace {

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "files/sha256.hpp"
 #include "results/hdf5/types.hpp"
-#include "results/sha256.hpp"
 
 namespace trunk::hdf5 {
 namespace {

@@ -1,0 +1,174 @@
+#include "commands/text/registration_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace trunk {
+namespace {
+
+constexpr double millimetre = 1e-3, millilitre = 1e-6, one_degree = std::numbers::pi / 180.0;
+
+Json distances_json(const std::optional<Distances>& found) {
+  if (!found) return nullptr;
+  const Distances& d = *found;
+  return {{"rms_mm", d.rms / millimetre},
+          {"median_mm", d.median / millimetre},
+          {"p95_mm", d.percentile95 / millimetre},
+          {"hausdorff_mm", d.hausdorff / millimetre}};
+}
+
+using Numbers = std::optional<Distances>;
+
+std::string fit_row(const std::string& name, const Numbers& to_target, const Numbers& from_target,
+                    double with_data) {
+  const auto numbers = [](const Numbers& d) {
+    if (!d) return fmt::format(" {:>31} |", "");
+    return fmt::format(" {:>7.2f} {:>7.2f} {:>7.2f} {:>7.2f} |", d->rms / millimetre, d->median / millimetre,
+                       d->percentile95 / millimetre, d->hausdorff / millimetre);
+  };
+  return fmt::format("{:<30}{}{} {:>6.0f} %\n", name, numbers(to_target), numbers(from_target),
+                     100.0 * with_data);
+}
+
+/// As a whole: where there are data, and all of it, with what lies beyond the border of an open surface.
+std::string fit_rows(const RegionFit& fit) {
+  if (fit.region != "all")
+    return fit_row(fit.target + ", " + fit.region, fit.to_target, fit.from_target, fit.with_data);
+  return fit_row(fit.target, fit.to_target, fit.from_target, fit.with_data) +
+         (fit.to_target_all ? fit_row(fit.target + ", extrapolated too", fit.to_target_all, {}, 1.0) : "");
+}
+
+std::string listed(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
+
+}  // namespace
+
+RegistrationVerdict verdict_of(const Registration& found, double tolerance) {
+  if (!found.quality.sound())
+    return {"unsound_mesh", fmt::format("{} triangles are folded and the smallest angle is {:.2f} degrees: "
+                                        "another --lower-border, a landmark or a cleaner surface may help",
+                                        found.quality.folded, found.quality.smallest_angle / one_degree)};
+  for (const RegionFit& fit : found.fits) {
+    if (fit.region != "all") continue;                       // each target as a whole
+    const double least = fit.target == "ribs" ? 0.05 : 0.6;  // our choice; there is nothing between ribs
+    if (fit.with_data < least)
+      return {
+          "mostly_extrapolated",
+          fmt::format(
+              "only {:.0f} % of the trunk's {} lie by the surface given for them, expected {:.0f} or more: "
+              "what the rest is like, and where, is a guess. Another surface beside it (--surface, "
+              "--lungs, --skin) or a landmark may settle it",
+              100.0 * fit.with_data, fit.target, 100.0 * least)};
+    for (const std::optional<Distances>& d : {fit.to_target, fit.from_target})
+      if (d && !(d->rms <= tolerance && d->percentile95 <= 2.0 * tolerance))
+        return {"beyond_tolerance",
+                fmt::format(
+                    "the trunk is {:.1f} mm (RMS; 95th percentile {:.1f}) from the {}; expected at most {:g} "
+                    "and {:g}: is it in these axes and this unit, and is it the whole of it?",
+                    d->rms / millimetre, d->percentile95 / millimetre, fit.target, tolerance / millimetre,
+                    2.0 * tolerance / millimetre)};
+  }
+  if (found.apposition_wanted && std::abs(found.apposition_length - *found.apposition_wanted) > tolerance)
+    return {
+        "beyond_tolerance",
+        fmt::format("the zone of apposition is {:.1f} mm long, {:.1f} were asked for: this surface does not "
+                    "leave room for it",
+                    found.apposition_length / millimetre, *found.apposition_wanted / millimetre)};
+  return {"registered", "registered"};
+}
+
+std::vector<std::string> warnings_of(const Registration& found) {
+  std::vector<std::string> warnings;
+  if (found.closed_diaphragm)
+    warnings.push_back(
+        "the surface given as diaphragm is closed and no thin sheet; a diaphragm is an open dome or a sheet. "
+        "Whatever it is, the trunk was bent onto it: is it a lung (--lungs)?");
+  if (found.lungs_given > 0.0 && std::abs(found.final.lung / found.lungs_given - 1.0) > 0.05)
+    warnings.push_back(
+        fmt::format("the lungs given hold {:.0f} ml, the trunk's lung, which has no heart beside it, {:.0f}; "
+                    "--lung-volume-ml sets it",
+                    found.lungs_given / millilitre, found.final.lung / millilitre));
+  if (found.held_back)
+    warnings.push_back(
+        "the last iteration was held back to keep triangles from folding: a finer surface, another "
+        "--lower-border or a lower --resolution may fit better");
+  return warnings;
+}
+
+Json registration_json(const Registration& found, const RegistrationVerdict& verdict) {
+  const Similarity& s = found.alignment.similarity;
+  Json json{{"schema", "trunk.register/1"}, {"status", verdict.status}, {"message", verdict.message}};
+  json["similarity"] = {
+      {"scale", s.scale},
+      {"rotation_deg", s.angle() / one_degree},
+      {"translation_mm", {s.shift.x() / millimetre, s.shift.y() / millimetre, s.shift.z() / millimetre}},
+      {"rms_mm", found.alignment.rms / millimetre}};
+  json["regions"] = Json::array();
+  for (const RegionFit& fit : found.fits)
+    json["regions"].push_back({{"target", fit.target},
+                               {"region", fit.region},
+                               {"to_target", distances_json(fit.to_target)},
+                               {"to_target_with_extrapolated", distances_json(fit.to_target_all)},
+                               {"from_target", distances_json(fit.from_target)},
+                               {"with_data_percent", 100.0 * fit.with_data}});
+  json["lung_volume_aligned_ml"] = found.aligned.lung / millilitre;
+  json["lung_volume_matched_ml"] = found.matched.lung / millilitre;
+  json["lung_volume_ml"] = found.final.lung / millilitre;
+  json["abdominal_volume_aligned_ml"] = found.aligned.abdomen / millilitre;
+  json["abdominal_volume_ml"] = found.final.abdomen / millilitre;
+  json["lungs_given_ml"] = found.lungs_given > 0.0 ? Json(found.lungs_given / millilitre) : Json();
+  json["apposition_length_mm"] = found.apposition_length / millimetre;
+  json["apposition_length_wanted_mm"] =
+      found.apposition_wanted ? Json(*found.apposition_wanted / millimetre) : Json();
+  json["costal_insertion_found_percent"] = 100.0 * found.insertion_covered;
+  json["extrapolated_regions"] = found.extrapolated;
+  json["particles"] = found.mesh.rest.size();
+  json["particles_without_data"] = found.particles_without_data;
+  json["smallest_angle_deg"] = found.quality.smallest_angle / one_degree;
+  json["folded_triangles"] = found.quality.folded;
+  json["iterations"] = found.iterations;
+  json["alignment_iterations"] = found.alignment.iterations;
+  json["last_movement_mm"] = found.moved / millimetre;
+  json["held_back"] = found.held_back;
+  return json;
+}
+
+std::string registration_text(const Registration& found, const RegistrationVerdict& verdict) {
+  const Similarity& s = found.alignment.similarity;
+  std::string text = fmt::format(
+      "{}: scale {:.3f}, turned {:.1f} degrees, shifted ({:.0f}, {:.0f}, {:.0f}) mm, then matched in {} "
+      "iterations\n",
+      verdict.done() ? "Registered" : "Not as wanted", s.scale, s.angle() / one_degree,
+      s.shift.x() / millimetre, s.shift.y() / millimetre, s.shift.z() / millimetre, found.iterations);
+  text += fmt::format("{:<30} {:^31} | {:^31} |\n", "mm", "trunk to surface", "surface to trunk");
+  text += fmt::format("{:<30}", "");
+  for (int direction = 0; direction < 2; ++direction)
+    text += fmt::format(" {:>7} {:>7} {:>7} {:>7} |", "RMS", "median", "95 %", "most");
+  text += " with data\n";
+  for (const RegionFit& fit : found.fits) text += fit_rows(fit);
+  text += fmt::format(
+      "lung {:.0f} ml (aligned {:.0f}, matched {:.0f}), abdomen {:.0f} ml (aligned {:.0f}), zone of "
+      "apposition {:.1f} mm\n",
+      found.final.lung / millilitre, found.aligned.lung / millilitre, found.matched.lung / millilitre,
+      found.final.abdomen / millilitre, found.aligned.abdomen / millilitre,
+      found.apposition_length / millimetre);
+  text +=
+      found.insertion_covered > 0.0
+          ? fmt::format(
+                "costal insertion: on the lower border of the surface, on {:.0f} % of the way around\n",
+                100.0 * found.insertion_covered)
+          : "costal insertion: extrapolated, the lower border of the surface is not it or there is none\n";
+  text += fmt::format("extrapolated: {} ({} of {} particles without data)\n",
+                      found.extrapolated.empty() ? "no region" : listed(found.extrapolated),
+                      found.particles_without_data, found.mesh.rest.size());
+  return text + fmt::format("smallest angle {:.1f} degrees, {} triangles folded\n",
+                            found.quality.smallest_angle / one_degree, found.quality.folded);
+}
+
+}  // namespace trunk

@@ -1,0 +1,85 @@
+#include "commands/text/validation_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "commands/text/output.hpp"
+
+namespace trunk {
+namespace {
+
+/// No "-0.00" for what is 0 to the digits shown.
+double without_negative_zero(double value, int decimals) {
+  return std::abs(value) < 0.5 * std::pow(10.0, -decimals) ? 0.0 : value;
+}
+
+std::string cell(double value, int decimals, bool with_sign) {
+  if (!std::isfinite(value)) return fmt::format(" {:>8}", "unknown");
+  value = without_negative_zero(value, decimals);
+  return with_sign ? fmt::format(" {:>+8.{}f}", value, decimals) : fmt::format(" {:>8.{}f}", value, decimals);
+}
+
+std::string table1_text(const Findings& f) {
+  std::string text = fmt::format("{:<24}", "Quiet breathing");
+  for (const Table1Column& column : table1_columns()) text += fmt::format(" {:>8}", column.title);
+  const std::vector<Table1Source> rows = table1_rows(f);
+  for (const Table1Source& source : rows) {
+    text += fmt::format("\n{:<24}", source.title);
+    for (const Table1Column& column : table1_columns())
+      text += cell(source.row->*column.value, column.decimals, false);
+  }
+  text +=
+      "\nError against the experiment, % (where the experiment is 0: the difference, in the column's unit)";
+  for (const Table1Source& source : std::span(rows).subspan(1)) {
+    text += fmt::format("\n{:<24}", source.title);
+    for (const Table1Column& column : table1_columns())
+      text += cell(error_of(column, *source.row, f.paper.experiment).value, 2, true);
+  }
+  return text + "\n";
+}
+
+/// Every breath that was simulated; a paralysed one also in percent of its healthy twin.
+std::string breaths_text(const Findings& f) {
+  std::string text = fmt::format("{:<30} {:>8} {:>10} {:>12} {:>12} {:>12}\n", "Domes: positive descends",
+                                 "dV ml", "% of twin", "right mm", "left mm", "volume error");
+  for (const ValidatedScenario& scenario : validated_scenarios()) {
+    const ValidatedBreath& breath = f.*scenario.breath;
+    std::string of_twin;
+    for (const ParalysedPair& pair : paralysed_pairs())
+      if (pair.breath == scenario.breath) of_twin = shown(pair.volume_percent(f), "{:.1f}");
+    text += fmt::format("{:<30} {:>8} {:>10} {:>12} {:>12} {:>12}\n", scenario.name,
+                        shown(breath.row.dv_ml, "{:.1f}"), of_twin, shown(breath.right_dome_mm, "{:+.2f}"),
+                        shown(breath.left_dome_mm, "{:+.2f}"), shown(breath.volume_error, "{:.1e}"));
+  }
+  return text;
+}
+
+std::string bounds_text(std::span<const Judged> results) {
+  std::string text = fmt::format("{:<60} {:>10} {:>18}\n", "Bound", "value", "allowed");
+  for (const Judged& r : results)
+    text += fmt::format("{:<60} {:>10} {:>18} {:<8} {}\n", r.bound.meaning, shown(r.value, "{:.3g}"),
+                        limits_text(r.bound), r.bound.unit == "1" ? "" : r.bound.unit,
+                        r.pass ? "holds" : "FAILS");
+  return text;
+}
+
+}  // namespace
+
+std::vector<Table1Source> table1_rows(const Findings& f) {
+  return {{"experiment", "experiment", &f.paper.experiment},
+          {"published_model", "published model", &f.paper.published_model},
+          {"published_healthy", "ours, published_healthy", &f.published_healthy.row},
+          {"healthy", "ours, healthy", &f.healthy.row},
+          {"craighero", "ours, craighero", &f.craighero.row}};
+}
+
+std::string validation_text(const Findings& findings, std::span<const Judged> results) {
+  const auto failed = std::count_if(results.begin(), results.end(), [](const Judged& r) { return !r.pass; });
+  return table1_text(findings) + "\n" + breaths_text(findings) + "\n" + bounds_text(results) +
+         (failed == 0 ? fmt::format("All {} bounds hold.", results.size())
+                      : fmt::format("{} of {} bounds fail.", failed, results.size()));
+}
+
+}  // namespace trunk

@@ -1,0 +1,108 @@
+#include "files/replace_file.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "errors/input_error.hpp"
+
+namespace trunk {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void fail(const fs::path& path, const std::string& what, int error) {
+  throw InputError(path.string(), 0, what + ": " + std::strerror(error));
+}
+
+fs::path folder_of(const fs::path& path) {
+  return path.has_parent_path() ? path.parent_path() : fs::path(".");
+}
+
+/// A new file beside the target, removed again unless it is given the target's name.
+class PartFile {
+ public:
+  explicit PartFile(const fs::path& target) : target_(target) {
+    // Process numbers are not unique on a shared file system: the random part keeps nodes apart.
+    std::random_device random;
+    do {
+      part_ = target;
+      part_ += "." + std::to_string(getpid()) + "-" + std::to_string(random()) + ".part";
+      descriptor_ = open(part_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    } while (descriptor_ < 0 && errno == EEXIST);
+    if (descriptor_ < 0) fail(target_, "cannot create a file in this folder", errno);
+  }
+  ~PartFile() {
+    if (descriptor_ >= 0) close(descriptor_);
+    if (!part_.empty()) unlink(part_.c_str());
+  }
+  PartFile(const PartFile&) = delete;
+  PartFile& operator=(const PartFile&) = delete;
+
+  void write_all(std::span<const std::byte> bytes) {
+    while (!bytes.empty()) {
+      const ssize_t written = write(descriptor_, bytes.data(), bytes.size());
+      if (written < 0 && errno == EINTR) continue;
+      if (written < 0) fail(target_, "cannot be written", errno);
+      bytes = bytes.subspan(static_cast<std::size_t>(written));
+    }
+  }
+
+  void take_the_name() {
+    if (fsync(descriptor_) != 0) fail(target_, "cannot be written", errno);
+    if (close(std::exchange(descriptor_, -1)) != 0) fail(target_, "cannot be written", errno);
+    if (rename(part_.c_str(), target_.c_str()) != 0) fail(target_, "cannot be replaced", errno);
+    part_.clear();
+  }
+
+ private:
+  fs::path target_, part_;
+  int descriptor_ = -1;
+};
+
+/// Makes the rename itself last. Some network file systems cannot; the file is there all the same.
+void synchronise_folder(const fs::path& folder) {
+  const int descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0) return;
+  fsync(descriptor);
+  close(descriptor);
+}
+
+}  // namespace
+
+void require_writable_target(const fs::path& path, bool force) {
+  const auto refuse = [&path](const std::string& text) { throw InputError(path.string(), 0, text); };
+  if (!path.has_filename()) refuse("is not the name of a file, expected one to write to");
+  std::error_code error;
+  const fs::file_status target = fs::status(path, error);
+  if (fs::exists(target)) {
+    // A rename would replace even a device.
+    if (!fs::is_regular_file(target)) refuse("exists and is not a file, choose another name");
+    if (!force) refuse("exists already; use --force to replace it, or choose another name");
+  }
+  const fs::file_status folder = fs::status(folder_of(path), error);
+  if (!fs::exists(folder)) refuse("its folder does not exist, create it first");
+  if (!fs::is_directory(folder)) refuse("what should be its folder is a file");
+  PartFile trial(path);
+}
+
+void replace_file(const fs::path& path, std::span<const std::byte> bytes, std::span<const std::byte> more) {
+  std::error_code error;
+  const fs::file_status target = fs::status(path, error);
+  if (fs::exists(target) && !fs::is_regular_file(target)) {
+    throw InputError(path.string(), 0, "exists and is not a file, it cannot be replaced");
+  }
+  PartFile part(path);
+  part.write_all(bytes);
+  part.write_all(more);
+  part.take_the_name();
+  synchronise_folder(folder_of(path));
+}
+
+}  // namespace trunk

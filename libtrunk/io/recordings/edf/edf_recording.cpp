@@ -1,0 +1,98 @@
+#include "recordings/edf/edf_recording.hpp"
+
+#include <edflib.h>
+
+#include <algorithm>
+
+namespace trunk {
+namespace {
+
+std::string without_padding(const char* field) {
+  const std::string text = field;
+  const auto last = text.find_last_not_of(' ');
+  return last == std::string::npos ? "" : text.substr(0, last + 1);
+}
+
+[[noreturn]] void refuse(const std::string& source, int reason) {
+  switch (reason) {
+    case EDFLIB_FILE_IS_DISCONTINUOUS:
+      throw InputError(source, 0,
+                       "an EDF+ recording with interruptions; expected a continuous one; export one "
+                       "uninterrupted part of it");
+    case EDFLIB_NO_SUCH_FILE_OR_DIRECTORY:
+      throw InputError(source, 0,
+                       "cannot be read; expected a readable EDF or BDF file; check its permissions");
+    default:
+      throw InputError(
+          source, 0,
+          "an EDF or BDF file that breaks the format or is cut short; expected a whole and valid "
+          "one; export it again, or let EDFbrowser name and repair the fault");
+  }
+}
+
+class EdfRecording : public Recording {
+ public:
+  explicit EdfRecording(const std::filesystem::path& path) : header_(std::make_unique<edf_hdr_struct>()) {
+    source = path.string();
+    word = "channel";
+    if (edfopen_file_readonly(source.c_str(), header_.get(), EDFLIB_DO_NOT_READ_ANNOTATIONS) != 0)
+      refuse(source, header_->filetype);
+    const double record_s = static_cast<double>(header_->datarecord_duration) / EDFLIB_TIME_DIMENSION;
+    for (int i = 0; i < header_->edfsignals; ++i) {
+      const edf_param_struct& signal = header_->signalparam[i];
+      channels.push_back({without_padding(signal.label), without_padding(signal.physdimension),
+                          record_s > 0 ? signal.smp_in_datarecord / record_s : 0.0});
+    }
+    if (channels.empty()) {
+      edfclose_file(header_->handle);
+      throw InputError(source, 0, "an EDF file of annotations alone; expected a channel of flow or volume");
+    }
+  }
+  ~EdfRecording() override { edfclose_file(header_->handle); }
+  EdfRecording(const EdfRecording&) = delete;
+  EdfRecording& operator=(const EdfRecording&) = delete;
+
+  Samples read(std::span<const std::size_t> chosen) override {
+    Samples samples;
+    for (const std::size_t channel : chosen) samples.values.push_back(values(channel));
+    for (const auto& values : samples.values)
+      if (values.size() != samples.values.front().size())
+        throw InputError(source, 0, "the chosen channels differ in their sampling rates; expected one rate");
+    return samples;
+  }
+
+ private:
+  std::vector<double> values(std::size_t channel) {
+    const long long count = header_->signalparam[channel].smp_in_file;
+    if (count > static_cast<long long>(max_samples))
+      throw InputError(source, 0,
+                       std::to_string(count) + " samples found in channel '" + channels[channel].name +
+                           "'; expected at most " + std::to_string(max_samples) +
+                           "; export a part of the recording");
+    std::vector<double> values(static_cast<std::size_t>(std::max(count, 0LL)));
+    const int signal = static_cast<int>(channel), wanted = static_cast<int>(values.size());
+    edfrewind(header_->handle, signal);
+    if (edfread_physical_samples(header_->handle, signal, wanted, values.data()) != wanted)
+      throw InputError(source, 0, "reading failed half way; check the disk");
+    return values;
+  }
+
+  std::unique_ptr<edf_hdr_struct> header_;
+};
+
+}  // namespace
+
+bool is_edf(std::string_view start) {
+  if (start.starts_with("\xFF"
+                        "BIOSEMI"))
+    return true;
+  // A text table may begin with a zero and blanks as well, but not with 256 characters on one line.
+  return start.size() >= 256 && start.starts_with("0       ") &&
+         std::none_of(start.begin(), start.begin() + 256, [](char c) { return c == '\n' || c == '\r'; });
+}
+
+std::unique_ptr<Recording> open_edf(const std::filesystem::path& path) {
+  return std::make_unique<EdfRecording>(path);
+}
+
+}  // namespace trunk

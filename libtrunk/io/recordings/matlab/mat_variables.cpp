@@ -1,0 +1,197 @@
+#include "recordings/matlab/mat_variables.hpp"
+
+#include <matio.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+
+#include "errors/input_error.hpp"
+#include "recordings/matlab/apart.hpp"
+#include "recordings/matlab/packing.hpp"
+
+namespace trunk {
+namespace {
+
+constexpr int deepest = 3;
+constexpr std::size_t most_elements = 200;    // of a struct array
+constexpr std::size_t most_variables = 5000;  // fields included
+constexpr std::size_t longest_text = 200, most_texts = 1000;
+
+class Collector {
+ public:
+  Collector(MatContent& content, std::size_t most_values) : content_(content), left_(most_values) {}
+
+  void add(const matvar_t& v, const std::string& name, int depth) {
+    if (content_.variables.size() >= most_variables || depth > deepest) return;
+    if (v.class_type == MAT_C_STRUCT) return add_fields(v, name, depth);
+    if (v.class_type == MAT_C_OPAQUE || v.class_type == MAT_C_OBJECT) content_.has_objects = true;
+    if (v.rank != 2 || !v.dims || !v.data || v.isComplex) return;
+    if (v.class_type == MAT_C_CELL) return add_texts(name, cell_texts(v));
+    if (v.class_type == MAT_C_CHAR) return add_texts(name, char_rows(v));
+    if (v.class_type >= MAT_C_DOUBLE && v.class_type <= MAT_C_UINT64) add_matrix(v, name);
+  }
+
+ private:
+  /// The number of elements, where the data hold that many of `size` bytes; else 0.
+  static std::size_t elements(const matvar_t& v, std::size_t size) {
+    std::size_t count = 0;
+    if (size == 0 || __builtin_mul_overflow(v.dims[0], v.dims[1], &count)) return 0;
+    return count <= v.nbytes / size ? count : 0;
+  }
+
+  void add_fields(const matvar_t& v, const std::string& name, int depth) {
+    const std::size_t fields = Mat_VarGetNumberOfFields(const_cast<matvar_t*>(&v));
+    char* const* names = Mat_VarGetStructFieldnames(&v);
+    if (fields == 0 || !names || v.rank != 2 || !v.dims) return;
+    std::size_t all = 0;
+    if (__builtin_mul_overflow(v.dims[0], v.dims[1], &all)) return;
+    for (std::size_t element = 0; element < std::min(all, most_elements); ++element)
+      for (std::size_t field = 0; field < fields; ++field) {
+        const matvar_t* f = Mat_VarGetStructFieldByIndex(const_cast<matvar_t*>(&v), field, element);
+        const std::string index = all > 1 ? "(" + std::to_string(element + 1) + ")" : "";
+        if (f && names[field]) add(*f, name + index + "." + names[field], depth + 1);
+      }
+  }
+
+  template <class T>
+  void take(const matvar_t& v, const std::string& name) {
+    const std::size_t count = elements(v, sizeof(T));
+    if (count == 0) return;
+    if (count > left_) throw InputError("more numbers than this program reads, expected a shorter recording");
+    left_ -= count;
+    MatVariable variable{name, v.dims[0], v.dims[1], std::vector<double>(count), {}};
+    const auto* data = static_cast<const T*>(v.data);
+    std::transform(data, data + count, variable.values.begin(), [](T x) { return static_cast<double>(x); });
+    content_.variables.push_back(std::move(variable));
+  }
+
+  void add_matrix(const matvar_t& v, const std::string& name) {
+    switch (v.class_type) {
+      case MAT_C_DOUBLE:
+        return take<double>(v, name);
+      case MAT_C_SINGLE:
+        return take<float>(v, name);
+      case MAT_C_INT8:
+        return take<std::int8_t>(v, name);
+      case MAT_C_UINT8:
+        return take<std::uint8_t>(v, name);
+      case MAT_C_INT16:
+        return take<std::int16_t>(v, name);
+      case MAT_C_UINT16:
+        return take<std::uint16_t>(v, name);
+      case MAT_C_INT32:
+        return take<std::int32_t>(v, name);
+      case MAT_C_UINT32:
+        return take<std::uint32_t>(v, name);
+      case MAT_C_INT64:
+        return take<std::int64_t>(v, name);
+      default:
+        return take<std::uint64_t>(v, name);
+    }
+  }
+
+  /// A char matrix, one text a row; what is not ASCII becomes '?'.
+  static std::vector<std::string> char_rows(const matvar_t& v) {
+    const std::size_t size = Mat_SizeOf(v.data_type);
+    if ((size != 1 && size != 2) || elements(v, size) == 0) return {};
+    std::vector<std::string> texts(std::min(v.dims[0], most_texts));
+    const auto* data = static_cast<const unsigned char*>(v.data);
+    for (std::size_t row = 0; row < texts.size(); ++row) {
+      for (std::size_t column = 0; column < std::min(v.dims[1], longest_text); ++column) {
+        const unsigned char* at = data + size * (column * v.dims[0] + row);
+        const unsigned code = size == 1 ? at[0] : static_cast<unsigned>(at[0] | at[1] << 8);
+        texts[row] += code >= 0x20 && code < 0x7F ? static_cast<char>(code) : '?';
+      }
+      texts[row].erase(texts[row].find_last_not_of(' ') + 1);
+    }
+    return texts;
+  }
+
+  static std::vector<std::string> cell_texts(const matvar_t& v) {
+    std::vector<std::string> texts;
+    const std::size_t count = std::min(elements(v, sizeof(matvar_t*)), most_texts);
+    for (std::size_t i = 0; i < count; ++i) {
+      const matvar_t* cell = static_cast<matvar_t* const*>(v.data)[i];
+      if (!cell || cell->class_type != MAT_C_CHAR || cell->rank != 2 || !cell->dims || !cell->data) return {};
+      const auto rows = char_rows(*cell);
+      texts.push_back(rows.empty() ? "" : rows.front());
+    }
+    return texts;
+  }
+
+  void add_texts(const std::string& name, std::vector<std::string> texts) {
+    if (!texts.empty()) content_.variables.push_back({name, 0, 0, {}, std::move(texts)});
+  }
+
+  MatContent& content_;
+  std::size_t left_;
+};
+
+std::string read_packed(const std::string& path, std::size_t most_values) {
+  struct Close {
+    void operator()(mat_t* file) const { Mat_Close(file); }
+    void operator()(matvar_t* variable) const { Mat_VarFree(variable); }
+  };
+  const std::unique_ptr<mat_t, Close> file(Mat_Open(path.c_str(), MAT_ACC_RDONLY));
+  if (!file) throw InputError("not a MAT-file");
+  MatContent content;
+  Collector collector(content, most_values);
+  std::size_t count = 0;
+  while (count++ < most_variables) {
+    const std::unique_ptr<matvar_t, Close> variable(Mat_VarReadNext(file.get()));
+    if (!variable) break;
+    if (variable->name) collector.add(*variable, variable->name, 1);
+  }
+  return packed(content);
+}
+
+/// A version 5 MAT-file is a header of 128 bytes and elements, each with its size in front (MathWorks,
+/// "MAT-File Format"). libmatio takes what a cut one lacks for zeros, which then look like a signal.
+void require_whole(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  const auto read = [&](std::streamoff at, auto& into) {
+    file.seekg(at);
+    return static_cast<bool>(file.read(reinterpret_cast<char*>(&into), sizeof into));
+  };
+  std::array<char, 4> version_and_order{};
+  if (!read(124, version_and_order)) return;
+  const bool native = version_and_order[2] == 'I' && version_and_order[3] == 'M';
+  const bool swapped = version_and_order[2] == 'M' && version_and_order[3] == 'I';
+  const char major = version_and_order[native ? 1 : 0];
+  if ((!native && !swapped) || major != 1) return;  // 1 is version 5; 2 is HDF5, which tells by itself
+  std::error_code unknown;
+  const auto size = static_cast<std::uintmax_t>(std::filesystem::file_size(path, unknown));
+  if (unknown) return;
+  for (std::uintmax_t at = 128; at < size;) {
+    std::array<std::uint32_t, 2> tag{};  // type, bytes
+    const bool complete = size - at >= sizeof tag && read(static_cast<std::streamoff>(at), tag);
+    const std::uint32_t bytes = swapped ? __builtin_bswap32(tag[1]) : tag[1];
+    if (!complete || bytes > size - at - sizeof tag)
+      throw InputError(
+          path.string(), 0,
+          "the file ends in the middle of a variable; expected a whole MAT-file; copy or save it again");
+    at += sizeof tag + bytes;
+  }
+}
+
+}  // namespace
+
+MatContent read_mat_variables(const std::filesystem::path& path, std::size_t most_values) {
+  const std::string name = path.string();
+  require_whole(path);
+  const auto bytes = run_apart([&] { return read_packed(name, most_values); },
+                               sizeof(double) * most_values + (std::size_t{64} << 20));
+  if (!bytes)
+    throw InputError(name, 0,
+                     "a MAT-file that is damaged, or holds more than " +
+                         std::to_string(most_values / 1'000'000) +
+                         " million numbers; expected a whole and smaller one; save the signals again, alone");
+  return unpacked(*bytes);
+}
+
+}  // namespace trunk

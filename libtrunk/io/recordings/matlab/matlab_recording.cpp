@@ -1,0 +1,177 @@
+#include "recordings/matlab/matlab_recording.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <map>
+
+#include "recordings/matlab/mat_variables.hpp"
+
+namespace trunk {
+namespace {
+
+constexpr std::size_t most_values = 50'000'000;
+constexpr std::size_t most_columns = 1000;  // of one matrix
+
+std::string lower_case(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+/// "rec.Sampling_Rate" => "samplingrate": the field's own name, by which its meaning is known.
+std::string own_name(const MatVariable& variable) {
+  std::string name = lower_case(variable.name.substr(variable.name.find_last_of('.') + 1));
+  std::erase(name, '_');
+  return name;
+}
+
+template <std::size_t n>
+bool among(const std::string& name, const std::array<std::string_view, n>& names) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+constexpr std::array<std::string_view, 11> rates{"fs",         "srate",        "sr",
+                                                 "sfreq",      "samplerate",   "samplingrate",
+                                                 "samplefreq", "samplingfreq", "samplingfrequency",
+                                                 "rate",       "freq"};
+constexpr std::array<std::string_view, 6> intervals{
+    "dt", "ts", "isi", "sampleinterval", "samplinginterval", "deltat"};
+constexpr std::array<std::string_view, 8> lists_of_names{
+    "labels", "label", "titles", "names", "columns", "channels", "channelnames", "channellabels"};
+constexpr std::array<std::string_view, 2> lists_of_units{"units", "unit"};
+
+class MatlabRecording : public Recording {
+ public:
+  explicit MatlabRecording(const std::filesystem::path& path)
+      : content_(read_mat_variables(path, most_values)) {
+    source = path.string();
+    word = "variable";
+    const double rate = rate_hz();
+    for (const MatVariable& v : content_.variables) add_channels(v);
+    for (Channel& channel : channels) channel.rate_hz = rate;
+    shorten_names();
+    if (channels.empty()) refuse_empty();
+  }
+
+  Samples read(std::span<const std::size_t> chosen) override {
+    Samples samples;
+    for (const std::size_t channel : chosen) samples.values.push_back(places_[channel].values());
+    for (std::size_t i = 1; i < chosen.size(); ++i)
+      if (samples.values[i].size() != samples.values[0].size())
+        throw InputError(source, 0,
+                         std::to_string(samples.values[0].size()) + " values found in variable '" +
+                             channels[chosen[0]].name + "' and " + std::to_string(samples.values[i].size()) +
+                             " in '" + channels[chosen[i]].name + "'; expected as many; choose others");
+    return samples;
+  }
+
+ private:
+  /// One row or column of a variable.
+  struct Place {
+    const MatVariable* variable;
+    std::size_t first, stride, count;
+    std::vector<double> values() const {
+      std::vector<double> values(count);
+      for (std::size_t i = 0; i < count; ++i) values[i] = variable->values[first + i * stride];
+      return values;
+    }
+  };
+
+  [[noreturn]] void refuse_empty() const {
+    throw InputError(source, 0,
+                     content_.has_objects
+                         ? "nothing but objects such as a table or timetable found, which only MATLAB reads; "
+                           "expected vectors or a struct; save S = table2struct(T, 'ToScalar', true)"
+                         : "no vector of numbers found; expected variables such as time_s and flow_L_s");
+  }
+
+  double rate_hz() const {
+    double found = 0;
+    for (const MatVariable& v : content_.variables) {
+      if (v.values.size() != 1 || !(v.values[0] > 0) || !std::isfinite(v.values[0])) continue;
+      const std::string name = own_name(v);
+      const double rate = among(name, rates)       ? v.values[0]
+                          : among(name, intervals) ? 1 / (v.values[0] * interval_unit())
+                                                   : 0;
+      if (rate == 0) continue;
+      if (found > 0 && std::abs(rate / found - 1) > 1e-6)
+        throw InputError(source, 0,
+                         "two sampling rates found, the other in variable '" + v.name +
+                             "'; expected one; give a vector of times, or save the signal alone");
+      found = rate;
+    }
+    return found;
+  }
+
+  double interval_unit() const {
+    const MatVariable* unit = text_named("isiunits");
+    return unit && unit->texts.front() == "ms" ? 1e-3 : 1;
+  }
+
+  const MatVariable* text_named(const std::string& own) const {
+    for (const MatVariable& v : content_.variables)
+      if (!v.texts.empty() && own_name(v) == own) return &v;
+    return nullptr;
+  }
+
+  /// The entry of a list of texts that goes with column i of a matrix of `width`.
+  template <std::size_t n>
+  std::string entry(const std::array<std::string_view, n>& names, std::size_t i, std::size_t width) const {
+    for (const MatVariable& v : content_.variables)
+      if (v.texts.size() == width && among(own_name(v), names)) return v.texts[i];
+    return "";
+  }
+
+  void add_channels(const MatVariable& v) {
+    const std::size_t length = std::max(v.rows, v.columns), width = std::min(v.rows, v.columns);
+    if (length < 2 || length > max_samples || width == 0 || width > most_columns) return;
+    if (width == 1) return add({v.name, unit_of(v), 0}, {&v, 0, 1, length});
+    const bool in_columns = v.rows >= v.columns;
+    for (std::size_t i = 0; i < width; ++i) {
+      std::string name = entry(lists_of_names, i, width);
+      if (name.empty())
+        name =
+            v.name + (in_columns ? "(:," + std::to_string(i + 1) + ")" : "(" + std::to_string(i + 1) + ",:)");
+      add({name, entry(lists_of_units, i, width), 0},
+          {&v, in_columns ? i * v.rows : i, in_columns ? 1 : v.rows, length});
+    }
+  }
+
+  std::string unit_of(const MatVariable& v) const {
+    for (const std::string ending : {"units", "unit"})
+      if (const MatVariable* text = text_named(own_name(v) + ending)) return text->texts.front();
+    return "";
+  }
+
+  void add(Channel channel, Place place) {
+    channels.push_back(std::move(channel));
+    places_.push_back(place);
+  }
+
+  /// "rec.flow" => "flow", where there is no other.
+  void shorten_names() {
+    std::map<std::string, int> count;
+    const auto last_part = [](const std::string& name) { return name.substr(name.find_last_of('.') + 1); };
+    for (const Channel& channel : channels) ++count[last_part(channel.name)];
+    for (Channel& channel : channels)
+      if (count[last_part(channel.name)] == 1) channel.name = last_part(channel.name);
+  }
+
+  MatContent content_;
+  std::vector<Place> places_;  // of the channels
+};
+
+}  // namespace
+
+bool is_matlab(std::string_view start) {
+  return start.size() >= 128 &&
+         (start.starts_with("MATLAB 5.0 MAT-file") || start.starts_with("MATLAB 7.3 MAT-file"));
+}
+
+std::unique_ptr<Recording> open_matlab(const std::filesystem::path& path) {
+  return std::make_unique<MatlabRecording>(path);
+}
+
+}  // namespace trunk

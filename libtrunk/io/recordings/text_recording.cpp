@@ -1,0 +1,104 @@
+#include "recordings/text_recording.hpp"
+
+#include <limits>
+#include <optional>
+
+#include "tables/clock_time.hpp"
+#include "tables/delimited_text.hpp"
+#include "text/message_text.hpp"
+
+namespace trunk {
+namespace {
+
+constexpr std::size_t most_flaws = 10'000;
+
+class TextRecording : public Recording {
+ public:
+  TextRecording(std::string file, std::string text) : table_(std::move(file), std::move(text)) {
+    source = table_.source();
+    header_line = table_.header_line();
+    for (std::size_t i = 0; i < table_.names().size(); ++i)
+      channels.push_back({table_.names()[i], table_.units().empty() ? "" : table_.units()[i], 0});
+    look_at_first_rows();
+  }
+
+  Samples read(std::span<const std::size_t> chosen) override {
+    Samples samples;
+    samples.values.resize(chosen.size());
+    std::vector<std::vector<std::optional<ClockTime>>> clocks(chosen.size());
+    DelimitedText::Row row;
+    for (table_.rewind(); table_.next(row);) {
+      samples.lines.push_back(static_cast<std::uint32_t>(row.line));
+      for (std::size_t i = 0; i < chosen.size(); ++i) {
+        const auto flaw = [&](const InputError& error) { add_flaw(samples, error); };
+        if (is_clock_[chosen[i]])
+          clocks[i].push_back(
+              read_or([&] { return std::optional(clock(row, chosen[i])); }, std::nullopt, flaw));
+        else
+          samples.values[i].push_back(
+              read_or([&] { return table_.number(row, chosen[i]); }, no_number, flaw));
+      }
+    }
+    for (std::size_t i = 0; i < chosen.size(); ++i)
+      if (is_clock_[chosen[i]]) samples.values[i] = seconds_since_first(clocks[i]);
+    return samples;
+  }
+
+ private:
+  static constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
+
+  template <class Read, class T, class Flaw>
+  static auto read_or(Read&& read, T without, Flaw&& flaw) -> decltype(read()) {
+    try {
+      return read();
+    } catch (const InputError& error) {
+      flaw(error);
+      return without;
+    }
+  }
+
+  static void add_flaw(Samples& samples, const InputError& error) {
+    const std::size_t sample = samples.lines.size() - 1;
+    if (samples.flaws.empty() || samples.flaws.back().sample != sample)
+      samples.flaws.push_back({sample, error.what()});
+    if (samples.flaws.size() > most_flaws) throw InputError(samples.flaws.front().text);
+  }
+
+  ClockTime clock(const DelimitedText::Row& row, std::size_t column) const {
+    const std::string_view cell = table_.text(row, column);
+    if (const auto time = clock_time(cell)) return *time;
+    throw InputError(source, row.line,
+                     excerpt(cell) + " found in column " + excerpt(channels[column].name) +
+                         "; expected a time such as 14:05:07.25; correct or remove the row");
+  }
+
+  // Clocks are known by the first filled cell of a column, within the first hundred rows.
+  void look_at_first_rows() {
+    is_clock_.assign(channels.size(), false);
+    std::vector<bool> seen(channels.size(), false);
+    DelimitedText::Row row;
+    try {
+      for (int i = 0; i < 100 && table_.next(row); ++i) {
+        for (std::size_t column = 0; column < row.cells.size(); ++column) {
+          if (seen[column] || row.cells[column].empty()) continue;
+          seen[column] = true;
+          if (first_cell.empty() && !table_.named()) first_cell = row.cells[column];
+          is_clock_[column] = clock_time(row.cells[column]).has_value();
+          if (is_clock_[column]) channels[column].unit = "s";
+        }
+      }
+    } catch (const InputError&) {  // told when the samples are read
+    }
+  }
+
+  DelimitedText table_;
+  std::vector<bool> is_clock_;  // of the channels
+};
+
+}  // namespace
+
+std::unique_ptr<Recording> recording_of_text(std::string source, std::string text) {
+  return std::make_unique<TextRecording>(std::move(source), std::move(text));
+}
+
+}  // namespace trunk

@@ -1,0 +1,50 @@
+#include "scenarios/build_trunk.hpp"
+
+#include <algorithm>
+#include <string_view>
+
+#include "dynamics/auto_time_step.hpp"
+#include "errors/input_error.hpp"
+
+namespace trunk {
+
+Trunk build_trunk(const ScenarioFile& file) {
+  Trunk trunk = assemble_trunk(file);
+  if (!file.scenario.automatic_step) require_stable(file, trunk);
+  return trunk;
+}
+
+Trunk assemble_trunk(const ScenarioFile& file) {
+  try {
+    return make_trunk(file.scenario);
+  } catch (const InputErrors&) {
+    throw;  // of loads, which name their own lines
+  } catch (const InputError& error) {
+    const auto is_from = [&](const auto& it) {
+      return std::string_view(error.what()).starts_with(it.origin + ": ");
+    };
+    if (std::ranges::any_of(file.scenario.rigid, is_from)) throw;  // it names its own line
+    throw InputError(file.scenario.mesh ? file.scenario.mesh_file : file.path, 0, error.what());
+  }
+}
+
+void require_stable(const ScenarioFile& file, const Trunk& trunk) {
+  try {
+    require_stable(file.scenario, trunk);
+  } catch (const InputError& error) {
+    throw InputError(file.where("time.dt_ms"), 0, error.what());
+  }
+}
+
+Trunk build_timed_trunk(ScenarioFile& file, double stiffer) {
+  Trunk trunk = build_trunk(file);
+  Scenario& s = file.scenario;
+  if (s.automatic_step) {
+    s.step_choice = auto_time_step(trunk.model, s.parameters, s.activation, s.time.duration_s, stiffer);
+    s.time = s.step_choice->grid;
+    s.automatic_step = false;
+  }
+  return trunk;
+}
+
+}  // namespace trunk

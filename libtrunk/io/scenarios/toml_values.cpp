@@ -1,0 +1,81 @@
+#include "scenarios/toml_values.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "errors/input_error.hpp"
+
+namespace trunk {
+
+void TomlPlace::fail(const std::string& text) const {
+  throw InputError(file, line, text);
+}
+
+std::string TomlPlace::name() const {
+  return line > 0 ? fmt::format("{}:{}", file, line) : file;
+}
+
+std::filesystem::path TomlPlace::beside(const std::string& name) const {
+  const auto folder = line > 0 ? std::filesystem::path(file).parent_path() : std::filesystem::path();
+  return std::filesystem::absolute(folder / name).lexically_normal();
+}
+
+std::string shown(const toml::node& node) {
+  std::ostringstream out;
+  if (const auto* number = node.as_floating_point()) return fmt::format("{}", number->get());
+  node.visit([&](const auto& value) { out << value; });
+  std::string text = out.str();
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  return text.size() > 60 ? text.substr(0, 57) + "..." : text;
+}
+
+toml::table parse_toml(const std::string& text, const std::string& file) {
+  try {
+    return toml::parse(text, file);
+  } catch (const toml::parse_error& error) {
+    throw InputError(file, error.source().begin.line,
+                     fmt::format("not valid TOML: {}", std::string(error.description())));
+  }
+}
+
+double number_of(const toml::node& node, const std::string& what, const std::string& expected,
+                 const TomlPlace& place) {
+  const auto value = node.value<double>();
+  if (!value || node.is_boolean() || node.is_string())
+    place.fail(fmt::format("{} is {}, expected {}", what, shown(node), expected));
+  if (!std::isfinite(*value)) place.fail(fmt::format("{} is not finite, expected {}", what, expected));
+  return *value;
+}
+
+PiecewiseLinear events_of(const toml::node& node, const std::string& what, double to_si, double before,
+                          const TomlPlace& place) {
+  const std::string expected = "a list of [time in s, value] pairs, times increasing";
+  const toml::array* list = node.as_array();
+  if (!list || list->empty()) place.fail(fmt::format("{} is {}, expected {}", what, shown(node), expected));
+  std::vector<PiecewiseLinear::Event> events;
+  for (const toml::node& item : *list) {
+    const toml::array* pair = item.as_array();
+    if (!pair || pair->size() != 2)
+      place.fail(fmt::format("{} has {}, expected {}", what, shown(item), expected));
+    events.push_back({number_of(*pair->get(0), what, expected, place),
+                      to_si * number_of(*pair->get(1), what, expected, place)});
+  }
+  try {
+    return PiecewiseLinear(std::move(events), before);
+  } catch (const InputError& error) {
+    place.fail(fmt::format("{}: {}", what, error.what()));
+  }
+}
+
+Vec3d direction_of(const toml::node& node, const std::string& what, const TomlPlace& place) {
+  const std::string expected = "three numbers [right, forward, up]";
+  const toml::array* list = node.as_array();
+  if (!list || list->size() != 3)
+    place.fail(fmt::format("{} is {}, expected {}", what, shown(node), expected));
+  const auto at = [&](std::size_t i) { return number_of(*list->get(i), what, expected, place); };
+  return {at(0), at(1), at(2)};
+}
+
+}  // namespace trunk

@@ -1,0 +1,59 @@
+#include <fmt/format.h>
+
+#include <charconv>
+
+#include "surfaces/formats/raw_surface.hpp"
+#include "surfaces/formats/words.hpp"
+
+namespace trunk {
+namespace {
+
+/// "7", "7/1/2", "7//2" or, counted from the last point, "-1" => the point, from 0.
+double corner_of(std::string_view word, const Words& words, std::size_t points) {
+  const std::string_view digits = word.substr(0, word.find('/'));
+  long value = 0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  if (error != std::errc{} || end != digits.data() + digits.size() || value == 0)
+    words.fail(
+        fmt::format("corner {} found; expected the number of a point, from 1; correct it", quoted(word)));
+  return static_cast<double>(value) + (value > 0 ? -1.0 : static_cast<double>(points));
+}
+
+/// A line that ends in a backslash goes on in the next.
+std::string_view next_of_face(Words& words) {
+  std::string_view word = words.word_of_line();
+  while (word == "\\") {
+    words.skip_line();
+    word = words.word_of_line();
+  }
+  return word.starts_with('#') ? std::string_view() : word;
+}
+
+}  // namespace
+
+FileSurface read_obj(const std::string& bytes, const std::string& file) {
+  SurfaceBuilder builder(file, "OBJ");
+  Words words(bytes, file);
+  for (; !words.at_end(); words.skip_line()) {
+    const std::string_view statement = words.next();
+    if (statement == "v") {
+      const double x = words.number_of_line("a coordinate"), y = words.number_of_line("a coordinate"),
+                   z = words.number_of_line("a coordinate");
+      builder.point({x, y, z}, words.line());
+    } else if (statement == "f") {
+      std::vector<double> corners;
+      for (std::string_view word = next_of_face(words); !word.empty(); word = next_of_face(words))
+        corners.push_back(corner_of(word, words, builder.points()));
+      builder.polygon(corners, words.line());
+    } else if (statement == "o" || statement == "g") {
+      Words name = words;
+      builder.begin_part(name.rest_of_line());
+    } else if (statement.starts_with('#')) {
+      Words comment = words;
+      builder.remark(comment.rest_of_line());
+    }
+  }
+  return builder.finish();
+}
+
+}  // namespace trunk

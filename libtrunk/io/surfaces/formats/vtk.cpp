@@ -1,0 +1,146 @@
+#include <fmt/format.h>
+
+#include "surfaces/formats/numbers.hpp"
+#include "surfaces/formats/raw_surface.hpp"
+#include "surfaces/formats/words.hpp"
+
+namespace trunk {
+namespace {
+
+constexpr std::size_t most_corners = 4 * most_surface_triangles;
+
+/// The legacy format of VTK: POLYDATA, text or binary (then big-endian), versions 1 to 5.
+class VtkReader {
+ public:
+  VtkReader(const std::string& bytes, const std::string& file)
+      : bytes_(bytes), words_(bytes, file), builder_(file, "VTK") {}
+
+  FileSurface read() {
+    read_vtk_header();
+    for (std::string_view word = words_.next(); !word.empty(); word = words_.next()) {
+      if (same_word(word, "POINTS"))
+        read_points();
+      else if (same_word(word, "POLYGONS") || same_word(word, "TRIANGLE_STRIPS"))
+        read_cells(true, same_word(word, "TRIANGLE_STRIPS"));
+      else if (same_word(word, "VERTICES") || same_word(word, "LINES"))
+        read_cells(false, false);
+      else if (same_word(word, "FIELD"))
+        skip_to_points();
+      else if (same_word(word, "METADATA"))
+        skip_to_blank_line();
+      else if (same_word(word, "POINT_DATA") || same_word(word, "CELL_DATA"))
+        break;  // the surface comes before them
+      else
+        words_.fail(fmt::format("{} found; expected POINTS, POLYGONS or TRIANGLE_STRIPS; export it again",
+                                quoted(word)));
+    }
+    return builder_.finish();
+  }
+
+ private:
+  void read_vtk_header() {
+    words_.skip_line();
+    builder_.remark(words_.rest_of_line());  // the title
+    const std::string_view coding = words_.rest_of_line();
+    binary_ = same_word(coding, "BINARY");
+    if (!binary_ && !same_word(coding, "ASCII"))
+      words_.fail(fmt::format("{} found; expected ASCII or BINARY in the third line", quoted(coding)));
+    if (!same_word(words_.next(), "DATASET")) words_.fail("no DATASET found after the header; expected one");
+    if (const std::string_view kind = words_.rest_of_line(); !same_word(kind, "POLYDATA"))
+      words_.fail(fmt::format("DATASET {} found; expected POLYDATA; extract the surface and save that",
+                              quoted(kind)));
+  }
+
+  std::vector<double> numbers(std::size_t count, NumberType type) {
+    std::vector<double> values;
+    if (!binary_) {
+      for (std::size_t i = 0; i < count; ++i) values.push_back(words_.number("a number"));
+      return values;
+    }
+    const std::string_view raw = words_.bytes(count * type.bytes);
+    for (std::size_t i = 0; i < count; ++i)
+      values.push_back(number_at(raw.data() + i * type.bytes, type, true));
+    return values;
+  }
+
+  /// The last word of a line; numbers of that type follow in the next.
+  NumberType type_at_end_of_line() {
+    const std::string_view name = words_.rest_of_line();
+    const auto type = number_type(name);
+    if (!type)
+      words_.fail(fmt::format("numbers of type {} found; expected float, double or int", quoted(name)));
+    return *type;
+  }
+
+  void read_points() {
+    const std::size_t count = words_.count("how many points there are", most_surface_points);
+    const NumberType type = type_at_end_of_line();
+    for (std::size_t i = 0; i < (binary_ ? 0 : count); ++i) {
+      const double x = words_.number("a coordinate"), y = words_.number("a coordinate"),
+                   z = words_.number("a coordinate");
+      builder_.point({x, y, z}, words_.line());
+    }
+    if (!binary_) return;
+    const std::vector<double> all = numbers(3 * count, type);
+    for (std::size_t i = 0; i < all.size(); i += 3) builder_.point({all[i], all[i + 1], all[i + 2]});
+  }
+
+  /// "POLYGONS cells numbers", then for each cell how many corners it has and these; or, from version 5 on,
+  /// "POLYGONS offsets corners", then OFFSETS and CONNECTIVITY.
+  void read_cells(bool wanted, bool strips) {
+    const std::size_t first = words_.count("how many polygons there are", most_corners);
+    const std::size_t second = words_.count("how many numbers they take", most_corners);
+    words_.skip_line();
+    std::vector<double> ends, corners;
+    Words ahead = words_;
+    if (same_word(ahead.word_of_line(), "OFFSETS")) {
+      ends = named_numbers("OFFSETS", first);
+      corners = named_numbers("CONNECTIVITY", second);
+      if (!ends.empty()) ends.erase(ends.begin());
+    } else {
+      const std::vector<double> listed = numbers(second, {NumberType::Kind::whole, 4});
+      for (std::size_t i = 0; i < listed.size();) {
+        const double count = listed[i++];
+        if (!(count >= 0.0 && count <= static_cast<double>(listed.size() - i)))
+          words_.fail(fmt::format("a polygon of {} corners found where {} numbers are left; export it again",
+                                  count, listed.size() - i));
+        const auto next = i + static_cast<std::size_t>(count);
+        for (; i < next; ++i) corners.push_back(listed[i]);
+        ends.push_back(static_cast<double>(corners.size()));
+      }
+    }
+    if (wanted) builder_.cells(corners, ends, strips);
+  }
+
+  std::vector<double> named_numbers(std::string_view name, std::size_t count) {
+    if (!same_word(words_.next(), name))
+      words_.fail(fmt::format("no {} found where expected; export it again", name));
+    const NumberType type = type_at_end_of_line();
+    return numbers(count, type);
+  }
+
+  void skip_to_points() {
+    const std::size_t points = bytes_.find("\nPOINTS", words_.position());
+    if (points == std::string::npos) words_.fail("no POINTS found after FIELD; expected them");
+    words_.bytes(points - words_.position());
+  }
+
+  void skip_to_blank_line() {
+    words_.skip_line();
+    for (std::size_t before = words_.position(); !words_.rest_of_line().empty(); before = words_.position())
+      if (words_.position() == before) return;
+  }
+
+  const std::string& bytes_;
+  Words words_;
+  SurfaceBuilder builder_;
+  bool binary_ = false;
+};
+
+}  // namespace
+
+FileSurface read_vtk(const std::string& bytes, const std::string& file) {
+  return VtkReader(bytes, file).read();
+}
+
+}  // namespace trunk

@@ -1,0 +1,297 @@
+#include "traces/choose_columns.hpp"
+
+#include <algorithm>
+#include <charconv>
+
+#include "text/message_text.hpp"
+
+namespace trunk {
+namespace {
+
+constexpr auto time_names = "time_s, time_ms or time_min";
+constexpr auto volume_names = "volume_ml or volume_L";
+constexpr auto flow_names = "flow_L_s, flow_L_min or flow_ml_s";
+constexpr auto signal_names = "volume_ml, volume_L, flow_L_s, flow_L_min or flow_ml_s";
+
+// A unit that the file gives apart from the name counts before one in the name.
+ColumnName described(const Channel& channel) {
+  ColumnName column = column_name(channel.name);
+  if (const auto unit = unit_of(channel.unit)) {
+    if (column.quantity == Quantity::unknown) column.base = column.plain;
+    column.set(*unit);
+  } else if (column.quantity == Quantity::unknown) {
+    column.unit = channel.unit;
+  }
+  return column;
+}
+
+std::string quantity_name(Quantity quantity) {
+  return quantity == Quantity::time ? "time" : quantity == Quantity::flow ? "flow" : "volume";
+}
+
+class ColumnChoice {
+ public:
+  ColumnChoice(const Recording& recording, const TraceOptions& options)
+      : recording_(recording), options_(options) {
+    for (const Channel& channel : recording.channels) chosen_.all.push_back(described(channel));
+  }
+
+  TraceColumns choose() {
+    require_header();
+    if (options_.kind != SignalKind::belt) require_unit("--unit", options_.unit, false);
+    require_unit("--time-unit", options_.time_unit, true);
+    Mistakes mistakes;
+    mistakes.gather([&] { choose_time(); });
+    mistakes.gather([&] { choose_value(); });
+    mistakes.gather([&] { chosen_.sigma = documented("sigma", Quantity::volume); });
+    if (mistakes.empty()) mistakes.gather([&] { choose_rate(); });
+    mistakes.settle();
+    return chosen_;
+  }
+
+ private:
+  using Index = std::size_t;
+
+  [[noreturn]] void fail(const std::string& text) const {
+    throw InputError(recording_.source, recording_.header_line, text);
+  }
+  std::string said(Index i) const { return recording_.word + " " + excerpt(chosen_.all[i].text); }
+
+  void require_header() const {
+    const bool picked =
+        !options_.value_column.empty() && (!options_.time_column.empty() || options_.rate_hz > 0);
+    if (recording_.first_cell.empty() || picked) return;
+    fail("the first row starts with the number " + excerpt(recording_.first_cell) +
+         "; expected a header such as time_s,volume_ml; write one (without '#') above the numbers, or pick "
+         "columns by number, as in --time 1 --flow 2 --unit L/s");
+  }
+
+  // ---- finding columns ----
+
+  // The one column for which `wanted` holds; two are an error because silence would pick one of them.
+  template <class Predicate>
+  std::optional<Index> only(Predicate wanted) const {
+    std::optional<Index> found;
+    for (Index i = 0; i < chosen_.all.size(); ++i) {
+      if (!wanted(chosen_.all[i])) continue;
+      if (found)
+        fail("two " + recording_.word + "s that mean the same, " + excerpt(chosen_.all[*found].text) +
+             " and " + excerpt(chosen_.all[i].text) +
+             "; expected one; choose it with --time, --flow, --volume or --belt");
+      found = i;
+    }
+    return found;
+  }
+
+  std::optional<Index> documented(const std::string& base, Quantity quantity) const {
+    return only([&](const ColumnName& c) {
+      return (c.base == base || (base == "time" && c.base == "t")) && c.quantity == quantity;
+    });
+  }
+
+  // Whether a column of that role is in a unit of that quantity, or has none and an option gives it. Where
+  // names have no room for a unit, times without one are likely seconds.
+  bool fits(const ColumnName& column, Quantity quantity, const std::string& unit_option) const {
+    if (column.quantity == quantity) return true;
+    if (column.quantity != Quantity::unknown) return false;
+    const auto given = unit_of(unit_option);
+    return given ? given->quantity == quantity : quantity == Quantity::time && recording_.header_line == 0;
+  }
+
+  // By our names, else by words of the same meaning, which is told.
+  std::optional<Index> automatic(Role role, Quantity quantity, const std::string& unit_option) {
+    if (const auto found = documented(quantity_name(quantity), quantity)) return found;
+    const auto found =
+        only([&](const ColumnName& c) { return role_of(c) == role && fits(c, quantity, unit_option); });
+    if (found) tell(*found, quantity_name(quantity));
+    return found;
+  }
+
+  void tell(Index i, const std::string& what) {
+    if (!is_documented(chosen_.all[i])) told_ += (told_.empty() ? "" : ", ") + said(i) + " as the " + what;
+  }
+
+  Index by_name(const std::string& name) const {
+    for (Index i = 0; i < chosen_.all.size(); ++i)
+      if (chosen_.all[i].text == name) return i;
+    const std::string plain = column_name(name).plain;
+    if (const auto found = only([&](const ColumnName& c) { return c.plain == plain; })) return *found;
+    if (const auto found = only([&](const ColumnName& c) { return c.base == plain; })) return *found;
+    Index number = 0;
+    const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), number);
+    if (error == std::errc{} && end == name.data() + name.size() && number >= 1 &&
+        number <= chosen_.all.size())
+      return number - 1;
+    fail("no " + recording_.word + " " + excerpt(name) + " among " + list_of(chosen_.all) +
+         "; expected the chosen " + recording_.word + "; correct its name or give its number");
+  }
+
+  [[noreturn]] void missing(const std::string& what, const std::string& expected, std::string hint,
+                            const std::string& option) const {
+    if (hint.empty() && chosen_.all.size() == 1 && recording_.word == "column")
+      hint = "separate the columns by comma, semicolon or tab, or give --rate HZ for evenly spaced samples";
+    if (hint.empty()) hint = "rename the " + recording_.word + " that holds it, or pick it with " + option;
+    fail("no " + what + " " + recording_.word + " among " + list_of(chosen_.all) + "; expected " + expected +
+         "; " + hint);
+  }
+
+  // ---- units ----
+
+  static void require_unit(const std::string& option, const std::string& given, bool of_time) {
+    if (given.empty()) return;
+    const auto unit = unit_of(given);
+    if (!unit || (unit->quantity == Quantity::time) != of_time)
+      throw InputError(option + " " + given + ": expected a unit such as " +
+                       (of_time ? "s, ms or min" : "ml, L, L/s, L/min or ml/s"));
+  }
+
+  // The unit an option gives is put over that of the file; where they differ it is told.
+  void apply_unit(Index i, const std::string& given, const std::string& option) {
+    const auto unit = unit_of(given);
+    if (!unit) return;
+    ColumnName& column = chosen_.all[i];
+    if (column.quantity != Quantity::unknown && column.unit != unit->name)
+      chosen_.notes.push_back(said(i) + " is read in " + given + ", as " + option + " says, not in " +
+                              column.unit);
+    column.set(*unit);
+  }
+
+  // ---- the time ----
+
+  void choose_time() {
+    const std::string& name = options_.time_column;
+    if (options_.rate_hz > 0) {
+      if (const auto unused = documented("time", Quantity::time))
+        chosen_.notes.push_back(said(*unused) + " is not used: --rate gives the times");
+      return;
+    }
+    chosen_.time = name.empty() ? automatic(Role::time, Quantity::time, options_.time_unit) : by_name(name);
+    if (!chosen_.time) return require_any_rate();
+    apply_unit(*chosen_.time, options_.time_unit, "--time-unit");
+    ColumnName& column = chosen_.all[*chosen_.time];
+    if (column.quantity == Quantity::time) return;
+    if (column.quantity != Quantity::unknown)
+      fail("the chosen time " + said(*chosen_.time) + " is in " + column.unit +
+           " and not in a unit of time; expected one such as " + time_names + "; choose another");
+    chosen_.notes.push_back(said(*chosen_.time) +
+                            " names no unit of time: seconds are assumed (else: --time-unit ms)");
+    column.set(*unit_of("s"));
+  }
+
+  void require_any_rate() const {
+    const auto& channels = recording_.channels;
+    if (std::none_of(channels.begin(), channels.end(), [](const Channel& c) { return c.rate_hz > 0; }))
+      no_times();
+  }
+
+  [[noreturn]] void no_times() const {
+    missing("time", time_names, suggestion(chosen_.all, Quantity::time),
+            "--time, or give --rate HZ where samples are evenly spaced");
+  }
+
+  // Where there are no times: what an option or the file says.
+  void choose_rate() {
+    if (chosen_.time) return;
+    chosen_.rate_hz = options_.rate_hz > 0 ? options_.rate_hz : recording_.channels[chosen_.value].rate_hz;
+    if (!(chosen_.rate_hz > 0)) no_times();
+  }
+
+  // ---- the signal ----
+
+  void choose_value() {
+    if (!options_.value_column.empty())
+      take_named(by_name(options_.value_column));
+    else if (options_.kind)
+      take(preferred(*options_.kind), *options_.kind);
+    else
+      take_automatic();
+    if (!told_.empty()) chosen_.notes.push_back("taken by name: " + told_);
+  }
+
+  void take(Index i, SignalKind kind) {
+    chosen_.value = i;
+    chosen_.kind = kind;
+    if (kind == SignalKind::belt) {
+      chosen_.all[i].to_si = 1;
+      if (!options_.unit.empty()) chosen_.all[i].unit = options_.unit;
+      return;
+    }
+    apply_unit(i, options_.unit, "--unit");
+    const Quantity wanted = kind == SignalKind::flow ? Quantity::flow : Quantity::volume;
+    const ColumnName& column = chosen_.all[i];
+    if (column.quantity == wanted) return;
+    const std::string what = quantity_name(wanted);
+    if (column.quantity == Quantity::unknown)
+      fail("the chosen " + said(i) + " has no unit of " + what + "; expected a name like " +
+           (kind == SignalKind::flow ? flow_names : volume_names) + "; add the unit, as in --unit " +
+           (kind == SignalKind::flow ? "L/s" : "ml"));
+    fail("the chosen " + said(i) + " is in " + column.unit + " and not in a unit of " + what +
+         "; expected one; choose it as --" + quantity_name(column.quantity));
+  }
+
+  void take_named(Index i) {
+    if (options_.kind) return take(i, *options_.kind);
+    apply_unit(i, options_.unit, "--unit");
+    const ColumnName& column = chosen_.all[i];
+    if (column.quantity == Quantity::flow || column.quantity == Quantity::volume)
+      return take(i, column.quantity == Quantity::flow ? SignalKind::flow : SignalKind::volume);
+    if (column.quantity == Quantity::unknown && role_of(column) == Role::belt) {
+      tell(i, "belt, in units of its own");
+      return take(i, SignalKind::belt);
+    }
+    fail("the chosen " + said(i) + " does not end in a unit of volume or flow; expected a name like " +
+         std::string(signal_names) + "; add one, as in --unit L/s, or choose it with --belt");
+  }
+
+  Index preferred(SignalKind kind) {
+    if (kind == SignalKind::belt) {
+      if (const auto found = belt()) return *found;
+      missing("belt", "a name such as belt or respiration", "", "--belt");
+    }
+    const bool flow = kind == SignalKind::flow;
+    const Quantity quantity = flow ? Quantity::flow : Quantity::volume;
+    if (const auto found = automatic(flow ? Role::flow : Role::volume, quantity, options_.unit))
+      return *found;
+    missing(quantity_name(quantity), flow ? flow_names : volume_names, suggestion(chosen_.all, quantity),
+            "--" + quantity_name(quantity));
+  }
+
+  std::optional<Index> belt() {
+    const auto found =
+        only([](const ColumnName& c) { return c.quantity == Quantity::unknown && role_of(c) == Role::belt; });
+    if (found) tell(*found, "belt, in units of its own");
+    return found;
+  }
+
+  void take_automatic() {
+    const auto flow = automatic(Role::flow, Quantity::flow, options_.unit);
+    const std::string told = told_;
+    const auto volume = automatic(Role::volume, Quantity::volume, options_.unit);
+    if (flow) {
+      told_ = told;
+      if (volume)
+        chosen_.notes.push_back("flow " + excerpt(chosen_.all[*flow].text) + " is used and not volume " +
+                                excerpt(chosen_.all[*volume].text) +
+                                ": volumes of ventilators and spirometers are reset at each breath");
+      return take(*flow, SignalKind::flow);
+    }
+    if (volume) return take(*volume, SignalKind::volume);
+    if (const auto found = belt()) return take(*found, SignalKind::belt);
+    auto hint = suggestion(chosen_.all, Quantity::volume);
+    if (hint.empty()) hint = suggestion(chosen_.all, Quantity::flow);
+    missing("volume or flow", std::string("one of ") + signal_names, hint, "--flow, --volume or --belt");
+  }
+
+  const Recording& recording_;
+  const TraceOptions& options_;
+  TraceColumns chosen_;
+  std::string told_;
+};
+
+}  // namespace
+
+TraceColumns choose_columns(const Recording& recording, const TraceOptions& options) {
+  return ColumnChoice(recording, options).choose();
+}
+
+}  // namespace trunk

@@ -1,0 +1,159 @@
+#include "traces/raw_samples.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "text/message_text.hpp"
+
+namespace trunk {
+namespace {
+
+constexpr double longest_bridge_s = 0.25;
+
+std::string count_of(std::size_t samples) {
+  return std::to_string(samples) + (samples == 1 ? " sample" : " samples");
+}
+
+}  // namespace
+
+RawSamples::RawSamples(Recording& recording, const TraceColumns& columns)
+    : recording_(recording), columns_(columns), chosen_{columns.value} {
+  if (columns.time) chosen_.push_back(*columns.time);
+  if (columns.sigma) chosen_.push_back(*columns.sigma);
+  samples_ = recording.read(chosen_);
+}
+
+InputError RawSamples::error(std::size_t sample, const std::string& text) const {
+  if (!samples_.lines.empty()) return InputError(recording_.source, samples_.lines[sample], text);
+  return InputError(recording_.source, 0, "sample " + std::to_string(sample + 1) + ": " + text);
+}
+
+std::string RawSamples::flaw(std::size_t sample) const {
+  const auto known = std::lower_bound(samples_.flaws.begin(), samples_.flaws.end(), sample,
+                                      [](const auto& f, std::size_t i) { return f.sample < i; });
+  if (known != samples_.flaws.end() && known->sample == sample) return known->text;
+  for (std::size_t row = 0; row < chosen_.size(); ++row)
+    if (const double value = samples_.values[row][sample]; !std::isfinite(value))
+      return error(sample, number_text(value) + " found in " + recording_.word + " " +
+                               excerpt(columns_.all[chosen_[row]].text) +
+                               "; expected a finite number; leave it out or interpolate the value")
+          .what();
+  return "";
+}
+
+std::vector<RawSamples::Run> RawSamples::runs_without_number() const {
+  std::vector<Run> runs;
+  for (std::size_t i = 0; i < size(); ++i) {
+    const bool whole = std::all_of(samples_.values.begin(), samples_.values.end(),
+                                   [&](const auto& row) { return std::isfinite(row[i]); });
+    if (whole) continue;
+    if (runs.empty() || runs.back().end != i) runs.push_back({i, i});
+    runs.back().end = i + 1;
+  }
+  return runs;
+}
+
+// The median over steps a tenth of the recording wide, which neither single wrong times nor a coarse clock
+// change; infinite where the times tell nothing.
+double RawSamples::step_s() const {
+  if (!columns_.time) return 1 / columns_.rate_hz;
+  const std::vector<double>& time = samples_.values[1];
+  const std::size_t width = std::max<std::size_t>(time.size() / 10, 1);
+  std::vector<double> steps;
+  for (std::size_t i = width; i < time.size(); ++i)
+    if (std::isfinite(time[i] - time[i - width]))
+      steps.push_back((time[i] - time[i - width]) / static_cast<double>(width));
+  if (steps.empty()) return INFINITY;
+  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+  std::nth_element(steps.begin(), middle, steps.end());
+  return *middle > 0 ? *middle * columns_.all[*columns_.time].to_si : INFINITY;
+}
+
+void RawSamples::bridge_missing(std::vector<std::string>& notes) {
+  const std::vector<Run> runs = runs_without_number();
+  if (runs.empty()) return;
+  const auto longest = static_cast<std::size_t>(std::clamp(longest_bridge_s / step_s() + 1e-9, 1.0, 1e9));
+  Mistakes mistakes;
+  std::size_t missing = 0;
+  for (const Run& run : runs) {
+    missing += run.end - run.begin;
+    if (run.end - run.begin <= longest) continue;
+    const std::string more =
+        run.end - run.begin > 1 ? " (the first of " + count_of(run.end - run.begin) + " in a row)" : "";
+    mistakes.add(flaw(run.begin) + more);
+  }
+  if (mistakes.empty() && 10 * missing > size())
+    mistakes.add(flaw(runs.front().begin) + " (the first of " + count_of(missing) +
+                 ", more than a tenth of all)");
+  mistakes.settle();
+
+  note(runs, notes);
+  for (auto run = runs.rbegin(); run != runs.rend(); ++run)  // from the end, so that places stay
+    at_an_end(*run) ? leave_out(*run) : interpolate(*run);
+}
+
+void RawSamples::note(const std::vector<Run>& runs, std::vector<std::string>& notes) const {
+  for (const bool end : {false, true}) {
+    std::size_t count = 0, first = 0;
+    for (const Run& run : runs) {
+      if (at_an_end(run) != end) continue;
+      if (count == 0) first = run.begin;
+      count += run.end - run.begin;
+    }
+    if (count == 0) continue;
+    const std::string cause = flaw(first);
+    notes.push_back(count_of(count) + " without a number " +
+                    (end ? "at an end of the recording left out" : "interpolated") +
+                    (count > 1 ? "; the first: " : ": ") + cause.substr(0, cause.find(';')));
+  }
+}
+
+void RawSamples::interpolate(const Run& run) {
+  for (auto& row : samples_.values) {
+    const double before = row[run.begin - 1], after = row[run.end];
+    const auto steps = static_cast<double>(run.end - run.begin + 1);
+    for (std::size_t i = run.begin; i < run.end; ++i)
+      if (!std::isfinite(row[i]))
+        row[i] = before + (after - before) * static_cast<double>(i - run.begin + 1) / steps;
+  }
+}
+
+void RawSamples::leave_out(const Run& run) {
+  const auto cut = [&](auto& row) {
+    row.erase(row.begin() + static_cast<std::ptrdiff_t>(run.begin),
+              row.begin() + static_cast<std::ptrdiff_t>(run.end));
+  };
+  for (auto& row : samples_.values) cut(row);
+  if (!samples_.lines.empty()) cut(samples_.lines);
+}
+
+std::vector<double> RawSamples::scaled(std::size_t row, std::size_t column) const {
+  std::vector<double> values = samples_.values[row];
+  for (double& value : values) value *= columns_.all[column].to_si;
+  return values;
+}
+
+std::vector<double> RawSamples::value() const {
+  return scaled(0, columns_.value);
+}
+
+std::vector<double> RawSamples::time_s() const {
+  if (columns_.time) return scaled(1, *columns_.time);
+  std::vector<double> time(size());
+  for (std::size_t i = 0; i < time.size(); ++i) time[i] = static_cast<double>(i) / columns_.rate_hz;
+  return time;
+}
+
+std::vector<double> RawSamples::time_of_whole_samples_s() const {
+  std::vector<double> time = time_s();
+  for (const Run& run : runs_without_number())
+    std::fill(time.begin() + static_cast<std::ptrdiff_t>(run.begin),
+              time.begin() + static_cast<std::ptrdiff_t>(run.end), NAN);
+  return time;
+}
+
+std::vector<double> RawSamples::sigma_m3() const {
+  return columns_.sigma ? scaled(chosen_.size() - 1, *columns_.sigma) : std::vector<double>{};
+}
+
+}  // namespace trunk

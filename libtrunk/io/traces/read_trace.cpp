@@ -1,0 +1,70 @@
+#include "traces/read_trace.hpp"
+
+#include "recordings/open_recording.hpp"
+#include "text/message_text.hpp"
+#include "traces/raw_samples.hpp"
+#include "traces/sample_times.hpp"
+
+namespace trunk {
+namespace {
+
+constexpr std::size_t min_samples = 10;
+
+Trace described_by(const TraceColumns& columns, const std::string& source) {
+  Trace trace;
+  trace.source = source;
+  trace.notes = columns.notes;
+  trace.kind = columns.kind;
+  if (columns.time) trace.time_unit = columns.all[*columns.time].unit;
+  trace.value_unit = columns.all[columns.value].unit;
+  return trace;
+}
+
+void check_enough_samples(const RawSamples& samples, const Recording& recording) {
+  if (samples.size() == 0)
+    throw InputError(recording.source, recording.header_line,
+                     "a header without rows of numbers below it; expected at least " +
+                         std::to_string(min_samples) + " samples; check that the export was finished");
+  if (samples.size() < min_samples)
+    throw samples.error_of_all(std::to_string(samples.size()) +
+                               (samples.size() == 1 ? " sample" : " samples") + " found; expected at least " +
+                               std::to_string(min_samples) + "; give a recording of one breath or more");
+}
+
+void check_positive(const std::vector<double>& sigma_m3, const RawSamples& samples) {
+  Mistakes mistakes;
+  for (std::size_t i = 0; i < sigma_m3.size(); ++i)
+    if (!(sigma_m3[i] > 0))
+      mistakes.add(samples
+                       .error(i, "sigma " + number_text(sigma_m3[i] * 1e6) +
+                                     " found; expected a standard deviation above 0; correct it or "
+                                     "remove the column")
+                       .what());
+  mistakes.settle();
+}
+
+}  // namespace
+
+Trace read_trace(const std::filesystem::path& path, const TraceOptions& options) {
+  const auto recording = open_recording(path);
+  const TraceColumns columns = choose_columns(*recording, options);
+  Trace trace = described_by(columns, path.string());
+  RawSamples samples(*recording, columns);
+  check_enough_samples(samples, *recording);
+  const ColumnName* clock = columns.time ? &columns.all[*columns.time] : nullptr;
+  Mistakes mistakes;
+  if (!mistakes.gather([&] { samples.bridge_missing(trace.notes); })) {
+    if (clock) mistakes.gather([&] { check_increases(samples.time_of_whole_samples_s(), samples, *clock); });
+    mistakes.settle();
+  }
+  check_enough_samples(samples, *recording);
+  trace.time_s = samples.time_s();
+  trace.value = samples.value();
+  trace.sigma_m3 = samples.sigma_m3();
+  mistakes.gather([&] { settle_times(trace.time_s, samples, clock, trace.notes); });
+  mistakes.gather([&] { check_positive(trace.sigma_m3, samples); });
+  mistakes.settle();
+  return trace;
+}
+
+}  // namespace trunk

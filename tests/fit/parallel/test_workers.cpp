@@ -1,0 +1,28 @@
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <numeric>
+#include <stdexcept>
+
+#include "parallel/workers.hpp"
+
+using namespace trunk;
+
+TEST_CASE("Work is done once each on any number of threads, and stops when told to", "[unit]") {
+  std::vector<std::size_t> items(500);
+  std::iota(items.begin(), items.end(), std::size_t{0});
+  for (unsigned threads : {1u, 2u, 7u}) {
+    std::vector<int> seen(items.size(), 0);
+    work_off<std::size_t>(
+        items, threads, {}, [](std::size_t i) { return i; }, [&](std::size_t i) { ++seen[i]; });
+    CHECK(std::all_of(seen.begin(), seen.end(), [](int n) { return n == 1; }));
+  }
+  int taken = 0;
+  work_off<std::size_t>(
+      items, 2, [&] { return taken >= 10; }, [](std::size_t i) { return i; }, [&](std::size_t) { ++taken; });
+  CHECK(taken >= 10);
+  CHECK(taken < 100);
+  CHECK_THROWS_WITH(work_off<std::size_t>(
+                        items, 2, {}, [](std::size_t i) { return i; },
+                        [](std::size_t) { throw std::runtime_error("disk full"); }),
+                    "disk full");
+}

@@ -1,0 +1,270 @@
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <catch2/catch.hpp>
+#include <csignal>
+#include <cstdlib>
+#include <thread>
+
+#include "errors/input_error.hpp"
+#include "files/replace_file.hpp"
+#include "files/sha256.hpp"
+#include "results/inspect/print_description.hpp"
+#include "results/read/read_records.hpp"
+#include "results/read/summary.hpp"
+#include "results/write/write_fit.hpp"
+#include "results/write/write_run.hpp"
+#include "results/write/write_sweep.hpp"
+#include "support/result_records.hpp"
+
+using namespace trunk;
+using namespace trunk::test;
+namespace fs = std::filesystem;
+using Catch::Matchers::Contains;
+
+namespace {
+
+std::size_t files_in(const TemporaryFolder& folder) {
+  return static_cast<std::size_t>(
+      std::distance(fs::directory_iterator(folder / ""), fs::directory_iterator()));
+}
+
+struct Environment {
+  explicit Environment(const char* value) { setenv("SOURCE_DATE_EPOCH", value, 1); }
+  ~Environment() { unsetenv("SOURCE_DATE_EPOCH"); }
+};
+
+}  // namespace
+
+TEST_CASE("a run reads back as it was written", "[results]") {
+  const TemporaryFolder folder;
+  const fs::path path = folder / "run.h5";
+  const RunRecord run = sample_run();
+  unsetenv("SOURCE_DATE_EPOCH");  // under it wall_s would be left out
+  write_run(path, run);
+  CHECK(is_complete(path));
+  CHECK(files_in(folder) == 1);
+
+  const RunSummary back = read_run_summary(path);
+  CHECK(back.title == run.title);
+  CHECK(back.status == run.status);
+  CHECK(back.message == run.message);
+  CHECK(back.curve_time_s == run.curve_time_s);
+  CHECK(back.curve_dV_ml == run.curves[0].values);
+  REQUIRE(back.measures.size() == run.measures.size());
+  for (std::size_t i = 0; i < back.measures.size(); ++i) {
+    CHECK(back.measures[i].name == run.measures[i].name);  // in the order written
+    CHECK(back.measures[i].unit == run.measures[i].unit);
+    CHECK(back.measures[i].value == run.measures[i].value);
+  }
+  const auto parameters = read_parameters(path);
+  REQUIRE(parameters.size() == 2);
+  CHECK(parameters[0].name == "k_muscle");
+  CHECK(parameters[1].value == 4000);
+}
+
+TEST_CASE("a fit gives its best parameters; its description shows their uncertainty", "[results]") {
+  const TemporaryFolder folder;
+  const fs::path path = folder / "fit.h5";
+  write_fit(path, sample_fit());
+  const auto parameters = read_parameters(path);
+  REQUIRE(parameters.size() == 3);
+  CHECK(parameters[0].name == "k_elasticity");
+  CHECK(parameters[0].value == 4000);
+  CHECK(parameters[2].unit == "1");
+  const std::string text = describe_file(path);
+  CHECK_THAT(text, Contains("0.4 %") && Contains("AT ITS BOUND") && Contains("fixed") && Contains("± 20"));
+  CHECK_THAT(text, Contains("best_run/particles/trajectory/position/value") && Contains("[70, 3, 3]"));
+  CHECK_THAT(describe_file_json(path), Contains("\"stderr\": 20.0") && Contains("\"kind\": \"fit\""));
+  CHECK_THAT(error_of<InputError>([&] { read_run_summary(path); }), Contains("is a fit, expected a run"));
+}
+
+TEST_CASE("a sweep counts its runs and outlives its run files", "[results]") {
+  const TemporaryFolder folder;
+  const fs::path path = folder / "sweep.h5";
+  write_sweep(path, sample_sweep());  // run.h5 is not there
+  CHECK_THAT(describe_file(path), Contains("diverged") && Contains("table/k_muscle") && Contains("[2, 3]"));
+  CHECK_THAT(error_of<InputError>([&] { read_parameters(path); }), Contains("is a sweep"));
+}
+
+TEST_CASE("records are read as they were written: written again they are the same bytes", "[results]") {
+  const TemporaryFolder folder;
+  const Environment epoch("1700000000");
+  write_run(folder / "a.h5", sample_run());
+  write_run(folder / "b.h5", read_run(folder / "a.h5"));
+  CHECK(bytes_of(folder / "a.h5") == bytes_of(folder / "b.h5"));
+  write_fit(folder / "a.h5", sample_fit());
+  write_fit(folder / "b.h5", read_fit(folder / "a.h5"));
+  CHECK(bytes_of(folder / "a.h5") == bytes_of(folder / "b.h5"));
+  CHECK(read_run(folder / "a.h5").trajectory.position_m == sample_run().trajectory.position_m);
+  write_run(folder / "a.h5", RunRecord());
+  write_run(folder / "b.h5", read_run(folder / "a.h5"));
+  CHECK(bytes_of(folder / "a.h5") == bytes_of(folder / "b.h5"));
+  CHECK_THAT(error_of<InputError>([&] { read_fit(folder / "a.h5"); }), Contains("is a run, expected a fit"));
+  write_sweep(folder / "a.h5", sample_sweep());
+  CHECK_THAT(error_of<InputError>([&] { read_run(folder / "a.h5"); }), Contains("is a sweep"));
+}
+
+TEST_CASE("a wrong record is not read as a right one", "[results]") {
+  const TemporaryFolder folder;
+  const fs::path path = folder / "x.h5";
+  RunRecord run = sample_run();
+  SECTION("a triangle of a particle that does not exist") {
+    run.trajectory.triangles = {{0, 1, 3}};
+    write_run(path, run);
+    CHECK_THAT(error_of<InputError>([&] { read_run(path); }),
+               Contains("names a particle that does not exist"));
+  }
+  SECTION("a fibre from before the first particle") {
+    run.trajectory.fibres = {{0, -1}, {1, 2}};
+    write_run(path, run);
+    CHECK_THAT(error_of<InputError>([&] { read_run(path); }),
+               Contains("names a particle that does not exist"));
+  }
+}
+
+TEST_CASE("what is optional may be absent, tables may be empty, texts long", "[results]") {
+  const TemporaryFolder folder;
+  write_run(folder / "run.h5", RunRecord());
+  CHECK_FALSE(describe_file(folder / "run.h5").empty());
+  write_fit(folder / "fit.h5", FitRecord());
+  CHECK(read_parameters(folder / "fit.h5").empty());
+  write_sweep(folder / "sweep.h5", SweepRecord());
+  CHECK_FALSE(describe_file_json(folder / "sweep.h5").empty());
+
+  SweepRecord no_curves = sample_sweep();
+  no_curves.curve_time_s.clear();
+  write_sweep(folder / "no_curves.h5", no_curves);
+  CHECK_THAT(describe_file(folder / "no_curves.h5"), Contains("[2, 0]"));
+
+  RunRecord run;
+  run.scenario_toml = std::string(200000, '#');
+  run.provenance.argv = std::string(200000, 'a');
+  write_run(folder / "long.h5", run);
+  CHECK_FALSE(describe_file(folder / "long.h5").empty());
+}
+
+TEST_CASE("equal runs are equal files under SOURCE_DATE_EPOCH", "[results]") {
+  const TemporaryFolder folder;
+  const auto write_both = [&](const std::string& name, const std::string& argv) {
+    RunRecord run = sample_run();
+    FitRecord fit = sample_fit();
+    run.provenance.argv = fit.provenance.argv = argv;
+    run.measures[2].value = fit.evaluation_wall_s[0] = static_cast<double>(argv.size());
+    write_run(folder / (name + ".run"), run);
+    write_fit(folder / (name + ".fit"), fit);
+  };
+  const auto same = [&](const char* kind) {
+    return bytes_of(folder / (std::string("a") + kind)) == bytes_of(folder / (std::string("b") + kind));
+  };
+  {
+    const Environment epoch("1700000000");
+    write_both("a", "trunk");
+    std::this_thread::sleep_for(std::chrono::milliseconds(1100));
+    write_both("b", "trunk -o elsewhere");
+    CHECK(same(".run"));
+    CHECK(same(".fit"));
+    CHECK_THAT(describe_file(folder / "a.run"), Contains("2023-11-14T22:13:20Z") && !Contains("wall_s"));
+  }
+  write_both("b", "trunk");
+  CHECK_FALSE(same(".run"));
+  const Environment wrong("soon");
+  CHECK_THAT(error_of<std::runtime_error>([&] { write_both("c", ""); }),
+             Contains("SOURCE_DATE_EPOCH is 'soon'"));
+}
+
+TEST_CASE("a failed write leaves the old file and nothing else", "[results]") {
+  const TemporaryFolder folder;
+  const fs::path path = folder / "run.h5";
+  write_run(path, sample_run());
+  const std::string before = bytes_of(path);
+
+  SECTION("values that do not fit their axes") {
+    RunRecord run = sample_run();
+    run.trajectory.position_m.pop_back();
+    CHECK_THAT(error_of<std::runtime_error>([&] { write_run(path, run); }),
+               Contains("run.h5") && Contains("629 values") && Contains("630"));
+  }
+  SECTION("a name used twice") {
+    RunRecord run = sample_run();
+    run.measures.push_back(run.measures.front());
+    CHECK_THAT(error_of<std::runtime_error>([&] { write_run(path, run); }), Contains("delta_v"));
+  }
+  SECTION("a name that is a path") {
+    RunRecord run = sample_run();
+    run.parameters.front().name = "a/b";
+    CHECK_THAT(error_of<std::runtime_error>([&] { write_run(path, run); }), Contains("'a/b'"));
+  }
+  SECTION("no room: a limit on the size of files stands in for a full disk") {
+    const pid_t child = fork();
+    REQUIRE(child >= 0);
+    if (child == 0) {
+      std::signal(SIGXFSZ, SIG_IGN);
+      const rlimit limit{4096, 4096};
+      setrlimit(RLIMIT_FSIZE, &limit);
+      try {
+        write_run(path, sample_run());
+      } catch (const std::runtime_error& error) {
+        _exit(std::string(error.what()).find("cannot be written: File too large") == std::string::npos ? 2
+                                                                                                       : 42);
+      }
+      _exit(1);
+    }
+    int status = 0;
+    waitpid(child, &status, 0);
+    CHECK(WIFEXITED(status));
+    CHECK(WEXITSTATUS(status) == 42);
+  }
+  CHECK(bytes_of(path) == before);
+  CHECK(files_in(folder) == 1);
+}
+
+TEST_CASE("a target is tested before any work", "[results]") {
+  const TemporaryFolder folder;
+  const fs::path path = folder / "run.h5";
+  const auto refusal = [](const fs::path& target, bool force) {
+    return error_of<InputError>([&] { require_writable_target(target, force); });
+  };
+  CHECK(refusal(path, false).empty());
+  CHECK(files_in(folder) == 0);
+  put(path, "old");
+  CHECK_THAT(refusal(path, false), Contains("--force"));
+  CHECK(refusal(path, true).empty());
+  CHECK(bytes_of(path) == "old");
+  CHECK_THAT(refusal(folder / "none" / "run.h5", true), Contains("does not exist"));
+  CHECK_THAT(refusal(path / "run.h5", true), Contains("is a file"));
+  CHECK_THAT(refusal(path.parent_path(), true), Contains("is not a file"));
+  CHECK_THAT(refusal("/dev/null", true), Contains("is not a file"));
+  CHECK_THAT(refusal("", true), Contains("name of a file"));
+  CHECK_THAT(error_of<std::runtime_error>([&] { write_run(folder / "none" / "run.h5", sample_run()); }),
+             Contains("No such file or directory"));
+  CHECK_THAT(error_of<std::runtime_error>([&] { write_run("/dev/null", sample_run()); }),
+             Contains("not a file"));
+  CHECK_THAT(refusal("/proc/run.h5", true), Contains("/proc/run.h5: cannot create"));  // even for root
+  if (geteuid() != 0) {
+    fs::permissions(path.parent_path(), fs::perms::owner_read | fs::perms::owner_exec);
+    CHECK_THAT(refusal(path, true), Contains("Permission denied"));
+    fs::permissions(path.parent_path(), fs::perms::owner_all);
+  }
+}
+
+TEST_CASE("many threads may write at once", "[results]") {
+  const TemporaryFolder folder;
+  std::vector<std::thread> threads;
+  for (int i = 0; i < 4; ++i) {
+    threads.emplace_back([&, i] { write_run(folder / (std::to_string(i) + ".h5"), sample_run()); });
+  }
+  for (std::thread& thread : threads) thread.join();
+  CHECK(files_in(folder) == 4);
+  for (int i = 0; i < 4; ++i) CHECK_FALSE(describe_file(folder / (std::to_string(i) + ".h5")).empty());
+}
+
+TEST_CASE("sha256 agrees with the published vectors", "[results]") {
+  CHECK(sha256_of_text("abc") == "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+  const TemporaryFolder folder;
+  put(folder / "abc", "abc");
+  CHECK(sha256_of_file(folder / "abc") == sha256_of_text("abc"));
+  CHECK_THAT(error_of<InputError>([&] { sha256_of_file(folder / "none"); }), Contains("No such file"));
+  CHECK_THAT(error_of<InputError>([&] { sha256_of_file(folder / ""); }), Contains("Is a directory"));
+}

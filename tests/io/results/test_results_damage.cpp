@@ -1,0 +1,143 @@
+#include <catch2/catch.hpp>
+#include <random>
+
+#include "errors/input_error.hpp"
+#include "files/sha256.hpp"
+#include "results/inspect/print_description.hpp"
+#include "results/read/summary.hpp"
+#include "results/write/write_run.hpp"
+#include "support/result_records.hpp"
+
+using namespace trunk;
+using namespace trunk::test;
+namespace fs = std::filesystem;
+using Catch::Matchers::Contains;
+
+namespace {
+
+constexpr std::size_t seal_size = 72;  // "sha256 ", 64 digits, line feed
+
+/// As a program leaves a file that changed it.
+std::string without_seal(const std::string& bytes) {
+  return bytes.substr(0, bytes.size() - seal_size);
+}
+
+std::string refusal_of(const fs::path& path) {
+  return error_of<InputError>([&] { describe_file(path); });
+}
+
+}  // namespace
+
+TEST_CASE("what is not a finished results file is refused by name", "[results]") {
+  const TemporaryFolder folder;
+  const fs::path path = folder / "x.h5", good = folder / "good.h5";
+  write_run(good, sample_run());
+  const std::string bytes = bytes_of(good);
+  const auto refusal = [&] {
+    CHECK_FALSE(is_complete(path));
+    return error_of<InputError>([&] { describe_file(path); });
+  };
+  CHECK_THAT(refusal(), Contains("no such file"));
+  put(path, "");
+  CHECK_THAT(refusal(), Contains("is empty"));
+  put(path, "time_s,volume_ml\n0,0\n");
+  CHECK_THAT(refusal(), Contains("not an HDF5 file"));
+  for (const std::size_t size : {std::size_t{9}, std::size_t{47}}) {
+    put(path, bytes.substr(0, size));
+    CHECK_THAT(refusal(), Contains("is truncated"));
+  }
+  const std::string whole = std::to_string(bytes.size());
+  for (const std::size_t size :
+       {std::size_t{48}, bytes.size() / 2, bytes.size() - 72 - 1, bytes.size() - 1}) {
+    put(path, bytes.substr(0, size));
+    CHECK_THAT(refusal(), Contains("is truncated: " + std::to_string(size) + " of " + whole + " bytes"));
+  }
+  CHECK_THAT(error_of<InputError>([&] { describe_file(folder / ""); }), Contains("is a folder"));
+}
+
+TEST_CASE("without its seal a flipped bit is an error or does not matter; it never is another number",
+          "[results]") {
+  const TemporaryFolder folder;
+  const fs::path path = folder / "run.h5";
+  write_run(path, sample_run());
+  const std::string bytes = without_seal(bytes_of(path));
+  put(path, bytes);
+  const RunSummary good = read_run_summary(path);
+  const std::string description = describe_file(path);
+  std::mt19937 random(1);
+  int seen = 0;
+  constexpr int flips = 400;
+  for (int flip = 0; flip < flips; ++flip) {
+    std::string damaged = bytes;
+    char& byte = damaged[std::uniform_int_distribution<std::size_t>(0, bytes.size() - 1)(random)];
+    byte = static_cast<char>(byte ^ (1 << (flip % 8)));
+    put(path, damaged);
+    try {
+      const std::string now = describe_file(path);
+      const RunSummary back = read_run_summary(path);
+      // Unused space, and the references that name the axes: what is read is right.
+      CHECK(now == description);
+      CHECK(back.curve_dV_ml == good.curve_dV_ml);
+      CHECK(back.measures.front().value == good.measures.front().value);
+    } catch (const InputError&) {
+      ++seen;
+    }
+  }
+  INFO(seen << " of " << flips << " seen");
+  CHECK(seen > flips / 3);
+}
+
+TEST_CASE("any one flipped bit is found before anything is read", "[results]") {
+  const TemporaryFolder folder;
+  const fs::path path = folder / "run.h5";
+  write_run(path, sample_run());
+  const std::string bytes = bytes_of(path);
+  CHECK(bytes.substr(bytes.size() - seal_size) == "sha256 " + sha256_of_text(without_seal(bytes)) + "\n");
+  std::mt19937 random(2);
+  std::vector<std::size_t> places = {0, 8, 9, 28, 35, 44, bytes.size() - seal_size, bytes.size() - 1};
+  for (std::size_t i = 0; i < seal_size; i += 5) places.push_back(bytes.size() - seal_size + i);
+  for (int i = 0; i < 100; ++i)
+    places.push_back(std::uniform_int_distribution<std::size_t>(0, bytes.size() - 1)(random));
+  for (const std::size_t place : places) {
+    std::string damaged = bytes;
+    damaged[place] = static_cast<char>(damaged[place] ^ (1 << (place % 8)));
+    put(path, damaged);
+    INFO("byte " << place << " of " << bytes.size());
+    CHECK_THAT(refusal_of(path), Contains("is damaged: its bytes are not those that were written") ||
+                                     Contains("damaged in its first bytes"));
+  }
+}
+
+TEST_CASE("a file that another program changed is read without its seal, not with bytes behind",
+          "[results]") {
+  const TemporaryFolder folder;
+  const fs::path path = folder / "run.h5";
+  write_run(path, sample_run());
+  const std::string bytes = bytes_of(path);
+  put(path, without_seal(bytes));
+  CHECK_THAT(describe_file(path), Contains("466.125"));
+  CHECK(read_run_summary(path).title == "healthy");
+  put(path, without_seal(bytes) + "x");
+  CHECK_THAT(refusal_of(path), Contains("is truncated"));
+  put(path, without_seal(bytes) + std::string(seal_size, 'x'));
+  CHECK_THAT(refusal_of(path), Contains("is damaged"));
+  put(path, bytes + "more");
+  CHECK_THAT(refusal_of(path), Contains("is damaged"));
+}
+
+TEST_CASE("what is not HDF5 is called by its name", "[results]") {
+  const TemporaryFolder folder;
+  const auto said_of = [&](const std::string& name, const std::string& bytes) {
+    put(folder / name, bytes);
+    return refusal_of(folder / name);
+  };
+  CHECK_THAT(said_of("fit.h5.ledger", std::string("SQLite format 3\0", 16)),
+             Contains("ledger of an unfinished fit"));
+  CHECK_THAT(said_of("x.h5.12-345.part", "\x01\x02"), Contains("interrupted program"));
+  CHECK_THAT(said_of("healthy.toml", "title = 'x'"), Contains("`trunk check`"));
+  CHECK_THAT(said_of("trace.csv", "time_s,volume_ml\n"), Contains("`trunk breaths`"));
+  CHECK_THAT(said_of("report.html", "<!doctype html>"), Contains("web page"));
+  CHECK_THAT(said_of("trunk.pml", "<?xml version=\"1.0\"?>"), Contains("XML"));
+  CHECK_THAT(said_of("x", "hello"), Contains("expected a results file of trunk; it looks like text"));
+  CHECK_THAT(said_of("y", "\x01\x02"), Contains("nothing known here"));
+}
