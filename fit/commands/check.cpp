@@ -112,23 +112,21 @@ void check_trace(const CheckRequest& request, Findings& findings) {
   });
 }
 
-/// The file of a mistake that names no line is known by its name at the front.
-Json problem_json(const std::string& text, const CheckRequest& request) {
-  Mistake mistake = mistake_of(text);
-  for (const std::string& name : {request.fit.scenario, request.fit.trace})
-    if (mistake.file.empty() && !name.empty() && text.starts_with(name + ": "))
-      mistake = {name, 0, text.substr(name.size() + 2)};
-  return {{"file", mistake.file.empty() ? Json(nullptr) : Json(mistake.file)},
-          {"line", mistake.line == 0 ? Json(nullptr) : Json(mistake.line)},
-          {"text", mistake.text}};
+Json problem_json(const Mistake& mistake) {
+  const Place& at = mistake.at;
+  Mistake without_place = mistake;
+  without_place.at = {};
+  return {{"file", at.file.empty() ? Json(nullptr) : Json(at.file)},
+          {"line", at.line == 0 ? Json(nullptr) : Json(at.line)},
+          {"text", text_of(without_place)}};
 }
 
-Exit print_findings(const Common& common, const CheckRequest& request, Findings& findings) {
+Exit print_findings(const Common& common, Findings& findings) {
   const bool good = findings.mistakes.empty();
   Json problems = Json::array();
-  for (const std::string& text : findings.mistakes.sorted()) {
-    print_note("trunk: " + text);
-    problems.push_back(problem_json(text, request));
+  for (const Mistake& mistake : findings.mistakes.sorted()) {
+    print_note("trunk: " + text_of(mistake));
+    problems.push_back(problem_json(mistake));
   }
   for (const std::string& note : findings.notes)
     if (good) print_note("note: " + note);
@@ -155,7 +153,7 @@ Exit check_command(const Common& common, const CheckRequest& request) {
   if (!fit.scenario.empty()) file = check_scenario(request, findings);
   if (!fit.trace.empty()) check_trace(request, findings);
   check_fit(fit, file, findings.mistakes);
-  return print_findings(common, request, findings);
+  return print_findings(common, findings);
 }
 
 }  // namespace

@@ -58,14 +58,15 @@ std::vector<std::string> check_names(const FitPlan& plan, Mistakes& mistakes) {
     });
   for (const std::string& name : free) {
     if (is_fixed(name))
-      mistakes.add("parameter '" + name + "' is both free and fixed, expected one of the two");
+      mistakes.add({{}, "parameter '" + name + "' is both free and fixed", "one of the two", "", {}});
     if (std::count(free.begin(), free.end(), name) > 1)
-      mistakes.add("parameter '" + name + "' is named twice");
+      mistakes.add({{}, "parameter '" + name + "' is named twice", "every name once", "", {}});
   }
   if (!plan.free.empty()) return free;
   free = {"k_elasticity", "k_muscle"};  // as fit does from a trace
   std::erase_if(free, is_fixed);
-  if (free.empty()) mistakes.add("no parameter is free, expected at least one: --free k_elasticity,k_muscle");
+  if (free.empty())
+    mistakes.add({{}, "no parameter is free", "at least one: --free k_elasticity,k_muscle", "", {}});
   return free;
 }
 

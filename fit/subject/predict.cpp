@@ -52,13 +52,13 @@ std::vector<double> tidal_volumes(const Trunk& trunk, std::span<const Candidate>
   return volumes;
 }
 
-struct Place {
+struct DrawAt {
   const Trunk& trunk;
   const TimeGrid& grid;
 };
 
 /// The tidal volume of every candidate in every place: [places][candidates].
-std::vector<std::vector<double>> all_volumes(const std::vector<Place>& places,
+std::vector<std::vector<double>> all_volumes(const std::vector<DrawAt>& places,
                                              const std::vector<Candidate>& candidates,
                                              const Execution& execution) {
   const std::size_t together = batch_lanes();
@@ -72,7 +72,7 @@ std::vector<std::vector<double>> all_volumes(const std::vector<Place>& places,
       [&](std::size_t first) {
         const auto some = std::span(candidates).subspan(first, std::min(together, candidates.size() - first));
         Part part{first, {}};
-        for (const Place& s : places) part.second.push_back(tidal_volumes(s.trunk, some, s.grid));
+        for (const DrawAt& s : places) part.second.push_back(tidal_volumes(s.trunk, some, s.grid));
         return part;
       },
       [&](Part part) {
@@ -125,7 +125,7 @@ std::vector<Prediction> predict(const SubjectFit& fit, const Estimation& e,
   if (others.empty()) return {};
   const EstimationOptions& options = fit.plan().estimation;
   const std::vector<Candidate> candidates = candidates_of(fit.space(), e, draws, options.search.seed);
-  std::vector<Place> places = {{fit.trunk(), fit.file().scenario.time}};
+  std::vector<DrawAt> places = {{fit.trunk(), fit.file().scenario.time}};
   for (const OtherScenario& o : others) places.push_back({o.trunk, o.file.scenario.time});
   const auto volumes = all_volumes(places, candidates, options.execution);
 

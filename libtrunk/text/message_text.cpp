@@ -16,6 +16,19 @@ std::string number_text(double value, int digits) {
   return error == std::errc{} ? std::string(buffer, end) : std::string("?");
 }
 
+std::string without_controls(std::string_view text) {
+  std::string clean;
+  clean.reserve(text.size());
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto byte = static_cast<unsigned char>(text[i]);
+    const auto next = i + 1 < text.size() ? static_cast<unsigned char>(text[i + 1]) : 0u;
+    const bool is_c1 = byte == 0xC2 && next >= 0x80 && next < 0xA0;  // U+0080 to U+009F in UTF-8
+    if (is_c1) ++i;
+    clean += byte == '\n' ? ' ' : is_c1 || byte < 0x20 || byte == 0x7F ? '?' : text[i];
+  }
+  return clean;
+}
+
 std::string excerpt(std::string_view text) {
   constexpr std::size_t most = 40;
   const auto continues_character = [&](std::size_t i) {
@@ -25,9 +38,7 @@ std::string excerpt(std::string_view text) {
   // Do not cut a UTF-8 character in two.
   while (length < text.size() && length > 0 && continues_character(length)) --length;
   std::string shown(text.substr(0, length));
-  for (char& c : shown)
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = '?';
-  return "'" + shown + (length < text.size() ? "...'" : "'");
+  return "'" + without_controls(shown) + (length < text.size() ? "...'" : "'");
 }
 
 }  // namespace trunk

@@ -21,7 +21,7 @@ struct Channel {
 struct Samples {
   struct Flaw {
     std::size_t sample;
-    std::string text;  ///< that of an InputError: place, what was found, what was expected
+    Mistake mistake;  ///< why it has no number
   };
   std::vector<std::vector<double>> values;  ///< [chosen][samples]; NaN where there is no number
   std::vector<std::uint32_t> lines;         ///< [samples] from 1; empty where the file has no lines

@@ -60,8 +60,8 @@ class TextRecording : public Recording {
   static void add_flaw(Samples& samples, const InputError& error) {
     const std::size_t sample = samples.lines.size() - 1;
     if (samples.flaws.empty() || samples.flaws.back().sample != sample)
-      samples.flaws.push_back({sample, error.what()});
-    if (samples.flaws.size() > most_flaws) throw InputError(samples.flaws.front().text);
+      samples.flaws.push_back({sample, error.mistake()});
+    if (samples.flaws.size() > most_flaws) throw InputError(samples.flaws.front().mistake);
   }
 
   ClockTime clock(const DelimitedText::Row& row, std::size_t column) const {

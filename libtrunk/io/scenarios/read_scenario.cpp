@@ -260,7 +260,7 @@ ScenarioFile scenario_of_text(const std::string& text, const std::string& name,
 Setting setting_of(const std::string& text) {
   const auto equals = text.find('=');
   if (equals == std::string::npos)
-    throw InputError("--set " + text + ": expected key=value, as in parameters.k_muscle_N_per_m=30");
+    throw InputError({"--set " + text}, "no '=' found", "key=value, as in parameters.k_muscle_N_per_m=30");
   return {text.substr(0, equals), text.substr(equals + 1), "--set " + text};
 }
 

@@ -14,6 +14,12 @@ std::string count_of(std::size_t samples) {
   return std::to_string(samples) + (samples == 1 ? " sample" : " samples");
 }
 
+/// The mistake of one sample, for many that are like it.
+Mistake first_of(Mistake mistake, const std::string& many) {
+  if (!many.empty()) mistake.found += " (the first of " + many + ")";
+  return mistake;
+}
+
 }  // namespace
 
 RawSamples::RawSamples(Recording& recording, const TraceColumns& columns)
@@ -28,17 +34,17 @@ InputError RawSamples::error(std::size_t sample, const std::string& text) const 
   return InputError(recording_.source, 0, "sample " + std::to_string(sample + 1) + ": " + text);
 }
 
-std::string RawSamples::flaw(std::size_t sample) const {
+Mistake RawSamples::flaw(std::size_t sample) const {
   const auto known = std::lower_bound(samples_.flaws.begin(), samples_.flaws.end(), sample,
                                       [](const auto& f, std::size_t i) { return f.sample < i; });
-  if (known != samples_.flaws.end() && known->sample == sample) return known->text;
+  if (known != samples_.flaws.end() && known->sample == sample) return known->mistake;
   for (std::size_t row = 0; row < chosen_.size(); ++row)
     if (const double value = samples_.values[row][sample]; !std::isfinite(value))
       return error(sample, number_text(value) + " found in " + recording_.word + " " +
                                excerpt(columns_.all[chosen_[row]].text) +
                                "; expected a finite number; leave it out or interpolate the value")
-          .what();
-  return "";
+          .mistake();
+  return {};
 }
 
 std::vector<RawSamples::Run> RawSamples::runs_without_number() const {
@@ -78,13 +84,11 @@ void RawSamples::bridge_missing(std::vector<std::string>& notes) {
   for (const Run& run : runs) {
     missing += run.end - run.begin;
     if (run.end - run.begin <= longest) continue;
-    const std::string more =
-        run.end - run.begin > 1 ? " (the first of " + count_of(run.end - run.begin) + " in a row)" : "";
-    mistakes.add(flaw(run.begin) + more);
+    const std::size_t count = run.end - run.begin;
+    mistakes.add(first_of(flaw(run.begin), count > 1 ? count_of(count) + " in a row" : ""));
   }
   if (mistakes.empty() && 10 * missing > size())
-    mistakes.add(flaw(runs.front().begin) + " (the first of " + count_of(missing) +
-                 ", more than a tenth of all)");
+    mistakes.add(first_of(flaw(runs.front().begin), count_of(missing) + ", more than a tenth of all"));
   mistakes.settle();
 
   note(runs, notes);
@@ -101,10 +105,11 @@ void RawSamples::note(const std::vector<Run>& runs, std::vector<std::string>& no
       count += run.end - run.begin;
     }
     if (count == 0) continue;
-    const std::string cause = flaw(first);
+    const Mistake cause = flaw(first);
     notes.push_back(count_of(count) + " without a number " +
                     (end ? "at an end of the recording left out" : "interpolated") +
-                    (count > 1 ? "; the first: " : ": ") + cause.substr(0, cause.find(';')));
+                    (count > 1 ? "; the first: " : ": ") + cause.at.text() + ": " +
+                    cause.found.substr(0, cause.found.find(';')));
   }
 }
 

@@ -40,7 +40,7 @@ class RawSamples {
   bool at_an_end(const Run& run) const { return run.begin == 0 || run.end == size(); }
   void note(const std::vector<Run>& runs, std::vector<std::string>& notes) const;
   double step_s() const;
-  std::string flaw(std::size_t sample) const;
+  Mistake flaw(std::size_t sample) const;
   void interpolate(const Run& run);
   void leave_out(const Run& run);
   std::vector<double> scaled(std::size_t row, std::size_t column) const;

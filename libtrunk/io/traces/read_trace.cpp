@@ -39,7 +39,7 @@ void check_positive(const std::vector<double>& sigma_m3, const RawSamples& sampl
                        .error(i, "sigma " + number_text(sigma_m3[i] * 1e6) +
                                      " found; expected a standard deviation above 0; correct it or "
                                      "remove the column")
-                       .what());
+                       .mistake());
   mistakes.settle();
 }
 

@@ -76,7 +76,7 @@ void check_gaps(const Times& time, double step, const RawSamples& samples) {
                                    " s and " + number_text(time[i], 8) + " s; expected samples every " +
                                    number_text(step) +
                                    " s; give the part before or after it as a file of its own")
-                     .what());
+                     .mistake());
   }
   mistakes.settle();
 }
@@ -117,7 +117,7 @@ void check_increases(const Times& time, const RawSamples& samples, const ColumnN
                                      excerpt(column.text) +
                                      "; expected times that increase from row to row; sort the rows or split "
                                      "joined recordings")
-                       .what());
+                       .mistake());
     if (std::isfinite(time[i])) last = time[i];
   }
   mistakes.settle();

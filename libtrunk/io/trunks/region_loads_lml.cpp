@@ -131,7 +131,7 @@ std::vector<RegionLoad> read_region_loads(const std::filesystem::path& path) {
   for (const pml::Load& load : pml::read_lml(read_text_file(path, largest_loads_file), file).loads) try {
       result.push_back(region_load(load, file));
     } catch (const InputError& error) {
-      if (std::string_view(error.what()).starts_with(file)) throw;
+      if (error.mistake().at.file == file) throw;
       throw InputError(file, load.line, error.what());
     }
   return result;

@@ -156,7 +156,7 @@ std::vector<double> VtpArrays::numbers(pugi::xml_node array, std::size_t most) c
       try {
         values.push_back(words.number("a number"));
       } catch (const InputError& error) {
-        xml_.fail(array, mistake_of(error.what()).text);
+        xml_.fail(array, error.mistake().found);
       }
     }
     return values;
