@@ -3,15 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-namespace trunk {
+#include "math/median.hpp"
 
-double median(std::vector<double> values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  if (values.size() % 2 == 1) return *middle;
-  return 0.5 * (*middle + *std::max_element(values.begin(), middle));
-}
+namespace trunk {
 
 double noise_deviation(std::span<const double> signal) {
   std::vector<double> differences;

@@ -5,9 +5,6 @@
 
 namespace trunk {
 
-/// The middle value (of an even number: the mean of the two middle ones); 0 of nothing.
-double median(std::vector<double> values);
-
 /// Standard deviation of white noise on a smooth signal sampled evenly (unit of the signal): the median
 /// absolute fourth difference over its expected value, 0.6745 sqrt(70) sigma. The fourth difference of a
 /// breath sampled 20 times or more is negligible, and the median ignores jumps. 0 for fewer than 5 samples.

@@ -5,10 +5,10 @@
 
 #include "breaths/landmarks.hpp"
 #include "breaths/plausibility.hpp"
-#include "breaths/robust.hpp"
 #include "breaths/volume_signal.hpp"
 #include "breaths/whole_breaths.hpp"
 #include "errors/input_error.hpp"
+#include "math/median.hpp"
 #include "text/message_text.hpp"
 
 namespace trunk {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "breaths/robust.hpp"
+#include "math/median.hpp"
 
 namespace trunk {
 namespace {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "breaths/robust.hpp"
+#include "math/median.hpp"
 
 namespace trunk {
 namespace {

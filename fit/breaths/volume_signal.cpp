@@ -7,6 +7,7 @@
 
 #include "breaths/robust.hpp"
 #include "errors/input_error.hpp"
+#include "math/median.hpp"
 #include "text/message_text.hpp"
 
 namespace trunk {

@@ -4,6 +4,7 @@
 
 #include "breaths/robust.hpp"
 #include "breaths/turning_points.hpp"
+#include "math/median.hpp"
 
 namespace trunk {
 namespace {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/median.hpp"
+
 namespace trunk {
 namespace {
 
@@ -50,9 +52,7 @@ Eigen::VectorXd charge_slopes(const Eigen::VectorXd& residuals, Loss loss, doubl
 double median_deviation(const Eigen::VectorXd& residuals) {
   std::vector<double> size(residuals.data(), residuals.data() + residuals.size());
   for (double& r : size) r = std::abs(r);
-  const auto middle = size.begin() + static_cast<std::ptrdiff_t>(size.size() / 2);
-  std::nth_element(size.begin(), middle, size.end());
-  return 1.4826 * *middle;
+  return 1.4826 * upper_median(std::move(size));
 }
 
 Eigen::VectorXd sampled(const std::vector<double>& curve, double dt_s, const std::vector<double>& time_s) {

@@ -1,7 +1,8 @@
 #include "subject/record.hpp"
 
-#include <algorithm>
 #include <cmath>
+
+#include "math/median.hpp"
 
 namespace trunk {
 namespace {
@@ -23,10 +24,7 @@ std::string short_name(const std::string& scenario) {
 double median_latency_s(const std::vector<BreathRefit>& breaths) {
   std::vector<double> all;
   for (const BreathRefit& b : breaths) all.push_back(b.latency_s);
-  if (all.empty()) return std::nan("");
-  const auto middle = all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2);
-  std::nth_element(all.begin(), middle, all.end());
-  return *middle;
+  return all.empty() ? std::nan("") : median(std::move(all));
 }
 
 void add_breaths(const std::vector<BreathRefit>& breaths, FitRecord& record) {

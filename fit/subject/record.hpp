@@ -9,7 +9,7 @@ namespace trunk {
 /// A scenario's file without folder and ending: what a prediction is called.
 std::string short_name(const std::string& scenario);
 
-/// The middle one; NaN of none.
+/// Returns the median latency, s; NaN if there are no breaths.
 double median_latency_s(const std::vector<BreathRefit>& breaths);
 
 void add_breaths(const std::vector<BreathRefit>& breaths, FitRecord& record);

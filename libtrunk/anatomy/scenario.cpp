@@ -8,6 +8,7 @@
 #include "anatomy/template_mesh.hpp"
 #include "dynamics/stability.hpp"
 #include "errors/input_error.hpp"
+#include "math/units.hpp"
 
 namespace trunk {
 namespace {
@@ -49,11 +50,12 @@ void require_stable(const Scenario& s, const Trunk& trunk) {
     throw InputError(fmt::format(
         "a time step of {:.4g} ms is unstable for k_elasticity {:.4g} N/m, k_muscle {:.4g} N/m and damping "
         "{:.4g} N s/m; expected less than {:.4g} ms: lower time.dt_ms",
-        1e3 * s.time.dt_s, s.parameters.elasticity, s.parameters.muscle, s.parameters.damping, 1e3 * bound));
+        ms_per_s * s.time.dt_s, s.parameters.elasticity, s.parameters.muscle, s.parameters.damping,
+        ms_per_s * bound));
   const double steps = s.time.duration_s / s.time.dt_s;
   if (!(steps >= 1.0 && steps <= 1e7))
     throw InputError(fmt::format("a duration of {:.4g} s at {:.4g} ms makes {:.3g} steps; expected 1 to 1e7",
-                                 s.time.duration_s, 1e3 * s.time.dt_s, steps));
+                                 s.time.duration_s, ms_per_s * s.time.dt_s, steps));
 }
 
 }  // namespace trunk

@@ -6,6 +6,7 @@
 
 #include "anatomy/template_levels.hpp"
 #include "errors/input_error.hpp"
+#include "math/units.hpp"
 #include "mesh/volume.hpp"
 
 namespace trunk {
@@ -143,7 +144,7 @@ void size_lung(const TrunkGeometry& geometry, const LungWall& wall, double base_
     throw InputError(fmt::format(
         "an end-expiratory lung volume of {:.0f} ml leaves a lung {:.0f} mm high over domes of {:.0f} mm on "
         "this cross-section; expected at least twice the dome height: raise the volume or lower the domes",
-        1e6 * geometry.end_expiratory_volume, 1e3 * height, 1e3 * domes));
+        ml_per_m3 * geometry.end_expiratory_volume, mm_per_m * height, mm_per_m * domes));
   place_lung(wall, base_z, height, m);
 }
 

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "math/units.hpp"
+
 namespace trunk {
 
 LungGain::LungGain(const Model& model)
@@ -16,7 +18,7 @@ void require_lung(double lowest_volume, Summary& summary) {
   summary.message = fmt::format(
       "the lung lost all of its volume (lowest: {:.0f} ml): the loads or movements are more than this "
       "model can follow",
-      1e6 * lowest_volume);
+      ml_per_m3 * lowest_volume);
 }
 
 void require_lung(double start_volume, VolumeCurve& curve) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "errors/input_error.hpp"
+#include "math/units.hpp"
 
 namespace trunk {
 namespace {
@@ -140,10 +141,10 @@ void require_valid(const Model& model) {
   require(model.abdomen.rest > 0,
           fmt::format("the abdominal compartment encloses {:.4g} ml at rest; expected a positive volume "
                       "(triangles counter-clockwise seen from outside)",
-                      1e6 * model.abdomen.rest));
+                      ml_per_m3 * model.abdomen.rest));
   const double lung = volume_of_fans<double>(model.lung_fans, model.rest);
   require(lung > 0,
-          fmt::format("the lung encloses {:.4g} ml at rest; expected a positive volume", 1e6 * lung));
+          fmt::format("the lung encloses {:.4g} ml at rest; expected a positive volume", ml_per_m3 * lung));
 }
 
 }  // namespace trunk

@@ -3,8 +3,8 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "math/units.hpp"
 #include "registration/measured_target.hpp"
 #include "registration/surface_samples.hpp"
 #include "surface/closest_points.hpp"
@@ -176,7 +176,7 @@ Alignment iterate(std::span<const Corresponding> surfaces, std::span<const Named
 }
 
 std::vector<Rotation<double>> starting_rotations() {
-  constexpr double turn = 25.0 * std::numbers::pi / 180.0;
+  constexpr double turn = 25.0 * rad_per_degree;
   std::vector<Rotation<double>> rotations;
   for (const double x : {0.0, turn, -turn})
     for (const double y : {0.0, turn, -turn})

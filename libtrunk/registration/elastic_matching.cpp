@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "anatomy/trunk.hpp"
 #include "forces/shape_memory.hpp"
+#include "math/units.hpp"
 #include "registration/line_goals.hpp"
 #include "registration/mesh_quality.hpp"
 
@@ -86,7 +86,7 @@ double farthest(std::span<const Vec3d> from, std::span<const Vec3d> to) {
 Matching match(const TrunkMesh& placed, const MatchingGoals& goals,
                const std::function<void(int iteration, int of)>& progress) {
   constexpr double strip = 0.03;  // m of diaphragm that a line counts as
-  constexpr double thin = 2.0 * std::numbers::pi / 180.0;
+  constexpr double thin = 2.0 * rad_per_degree;
   constexpr int iterations = stiffening + settling;
   Elasticity elasticity(placed);
   std::vector<Attractor> attractors;

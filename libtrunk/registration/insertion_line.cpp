@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "errors/input_error.hpp"
+#include "math/median.hpp"
 
 namespace trunk {
 namespace {
@@ -25,12 +26,6 @@ Row basis_at(double turns, bool rising) {
   row << 1.0, std::cos(angle), std::sin(angle), std::cos(2.0 * angle), std::pow(front, 4.0),
       std::pow(front, 12.0);
   return row;
-}
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 /// A lowest point by its angle.
@@ -79,7 +74,7 @@ Curve fitted_curve(const std::vector<Low>& points, std::vector<double> weight, b
       above.push_back(points[i].height - basis_at(points[i].turns, rising).dot(curve.coefficients));
       curve.off[i] = std::abs(above[i]);
     }
-    scatter = std::clamp(1.4826 * median(curve.off), least_scatter, most_scatter);
+    scatter = std::clamp(1.4826 * upper_median(curve.off), least_scatter, most_scatter);
     for (std::size_t i = 0; i < points.size(); ++i) {
       const double scaled = std::clamp(above[i] / std::max(gap * scatter, reach), 0.0, 1.0);
       weight[i] = (1.0 - scaled * scaled) * (1.0 - scaled * scaled);
@@ -94,7 +89,7 @@ Curve fitted_curve(const std::vector<Low>& points, std::vector<double> weight, b
 Curve margin_of(const std::vector<Low>& points, double highest_rise) {
   std::vector<double> heights, weight;
   for (const Low& p : points) heights.push_back(p.height);
-  const double middle = median(heights);
+  const double middle = upper_median(heights);
   for (const Low& p : points) weight.push_back(p.height <= middle ? 1.0 : 0.0);
   Curve level = fitted_curve(points, weight, false);
   weight = level.near();

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "math/units.hpp"
+
 namespace trunk {
 namespace {
 
@@ -33,7 +35,7 @@ bool folded(std::span<const Vec3d> before, std::span<const Vec3d> position, cons
 }  // namespace
 
 bool MeshQuality::sound() const noexcept {
-  return folded == 0 && smallest_angle > 0.5 * std::numbers::pi / 180.0;
+  return folded == 0 && smallest_angle > 0.5 * rad_per_degree;
 }
 
 MeshQuality mesh_quality(const TrunkMesh& before, std::span<const Vec3d> position) {

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "errors/input_error.hpp"
+#include "math/units.hpp"
 #include "mesh/volume.hpp"
 #include "registration/line_goals.hpp"
 #include "registration/measured_target.hpp"
@@ -93,7 +93,7 @@ std::vector<SurfacePair> aligning_pairs(const TrunkMesh& trunk, const std::vecto
 }
 
 void require_similar(const Similarity& similarity) {
-  constexpr double most_scale = 3.0, most_turn = 60.0 * std::numbers::pi / 180.0;
+  constexpr double most_scale = 3.0, most_turn = 60.0 * rad_per_degree;
   if (!(similarity.scale < most_scale && similarity.scale > 1.0 / most_scale))
     throw InputError(
         fmt::format("the surface asks for a trunk {:.3g} times the size of this one, expected {:.2g} to "
@@ -104,7 +104,7 @@ void require_similar(const Similarity& similarity) {
     throw InputError(fmt::format(
         "the surface asks for a trunk turned by {:.0f} degrees, expected less than {:.0f}: are its "
         "axes right, and is it what the option says?",
-        similarity.angle() * 180.0 / std::numbers::pi, most_turn * 180.0 / std::numbers::pi));
+        degrees_per_rad * similarity.angle(), degrees_per_rad * most_turn));
 }
 
 Volumes volumes_of(const TrunkMesh& mesh) {
@@ -142,7 +142,7 @@ void size_lung(double wanted, const TrunkMesh& before, TrunkMesh& mesh) {
         fmt::format("a lung volume of {:.0f} ml leaves no room over the domes of this diaphragm; expected "
                     "more: is it the volume at "
                     "the end of expiration, and is the unit of the surface right?",
-                    1e6 * wanted));
+                    ml_per_m3 * wanted));
   mesh = std::move(sized);
 }
 

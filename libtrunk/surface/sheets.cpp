@@ -6,6 +6,8 @@
 #include <map>
 #include <unsupported/Eigen/BVH>
 
+#include "math/median.hpp"
+
 namespace trunk {
 namespace {
 
@@ -162,12 +164,6 @@ std::vector<bool> outer_side(const std::vector<Facet>& facets, const std::vector
   return outer;
 }
 
-double median_of(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 }  // namespace
 
 void take_middle_of_sheet(MeasuredSurface& s, RepairReport& report) {
@@ -184,7 +180,7 @@ void take_middle_of_sheet(MeasuredSurface& s, RepairReport& report) {
   }
   report.sheet_share = area > 0.0 ? partnered / area : 0.0;
   if (report.sheet_share < least_share) return;
-  report.sheet_thickness = median_of(std::move(distances));
+  report.sheet_thickness = median(std::move(distances));
 
   const std::vector<bool> outer = outer_side(facets, partners, partnered_parts(s.triangles, partners));
   std::vector<Triangle> kept;

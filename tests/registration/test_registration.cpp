@@ -1,6 +1,7 @@
 #include <catch2/catch.hpp>
 
 #include "errors/input_error.hpp"
+#include "math/units.hpp"
 #include "registration/insertion_line.hpp"
 #include "registration/measured_target.hpp"
 #include "registration/subject.hpp"
@@ -10,8 +11,6 @@ using namespace trunk::test;
 using Catch::Matchers::Contains;
 
 namespace {
-
-constexpr double mm = 1e-3, degree = std::numbers::pi / 180.0;
 
 Vec3d mean_of(const TrunkMesh& mesh, const char* name) {
   Vec3d sum;
@@ -140,7 +139,7 @@ TEST_CASE("The border of an open surface is known", "[unit][registration]") {
 TEST_CASE("Triangles that folded or shrank to slivers are seen", "[unit][registration]") {
   const TrunkMesh mesh = make_template_mesh({});
   CHECK(mesh_quality(mesh, mesh.rest).sound());
-  CHECK(mesh_quality(mesh, mesh.rest).smallest_angle > 15 * degree);
+  CHECK(mesh_quality(mesh, mesh.rest).smallest_angle > 15 * rad_per_degree);
   const std::size_t saddle = at(mesh.named("dome_saddle").front()),
                     beside = at(mesh.named("dome_top_left").front());
   std::vector<Vec3d> folded = mesh.rest, sliver = mesh.rest;
@@ -148,7 +147,7 @@ TEST_CASE("Triangles that folded or shrank to slivers are seen", "[unit][registr
   CHECK(mesh_quality(mesh, folded).folded > 0);
   CHECK_FALSE(mesh_quality(mesh, folded).sound());
   sliver[saddle] += 0.9999 * (mesh.rest[beside] - mesh.rest[saddle]);
-  CHECK(mesh_quality(mesh, sliver).smallest_angle < 0.5 * degree);
+  CHECK(mesh_quality(mesh, sliver).smallest_angle < 0.5 * rad_per_degree);
   CHECK_FALSE(mesh_quality(mesh, sliver).sound());
 }
 
@@ -163,27 +162,27 @@ TEST_CASE("The costal insertion is the lower border where that is smooth", "[uni
   const InsertionLine margin =
       line([](double a) { return 0.2 + 0.1 * std::pow(0.5 + 0.5 * std::sin(a), 5.0); });
   CHECK(margin.covered() == 1.0);
-  CHECK(margin.beside(front)->point.z() == Approx(0.3).margin(2 * mm));
-  CHECK(margin.height_beside(front) == Approx(0.3).margin(20 * mm));
+  CHECK(margin.beside(front)->point.z() == Approx(0.3).margin(2 * m_per_mm));
+  CHECK(margin.height_beside(front) == Approx(0.3).margin(20 * m_per_mm));
   const auto cut_left = [](double a) { return std::cos(a) < -0.5 ? 0.28 : 0.2; };
   const InsertionLine cut = line(cut_left);
   CHECK(cut.covered() == Approx(2.0 / 3.0).margin(0.03));
   CHECK_FALSE(cut.beside(left));
   CHECK(cut.beside(right)->point.z() == Approx(0.2));
-  CHECK(cut.height_beside(left) == Approx(0.2).margin(10 * mm));
+  CHECK(cut.height_beside(left) == Approx(0.2).margin(10 * m_per_mm));
   // A narrow gap is bridged straight; the line is drawn to upward and outward, not along itself.
   const InsertionLine notched =
       line([](double a) { return std::abs(a - 1.5 * std::numbers::pi) < 0.25 ? 0.35 : 0.2; });
   const Vec3d back{0.0, -0.1, 0.0};
   CHECK(notched.covered() < 0.95);
   REQUIRE(notched.beside(back));
-  CHECK(norm(notched.beside(back)->point - Vec3d{0.0, -0.0985, 0.2}) < 4 * mm);
+  CHECK(norm(notched.beside(back)->point - Vec3d{0.0, -0.0985, 0.2}) < 4 * m_per_mm);
   CHECK(notched.beside(right)->upward.z() == Approx(1.0));
   CHECK(notched.beside(right)->outward.x() == Approx(1.0).margin(0.01));
   const InsertionLine high =
       line([](double a) { return std::sin(a) > 0.5 ? 0.4 : 0.2; });  // no rib margin rises so
   CHECK_FALSE(high.beside(front));
-  CHECK(high.height_beside(front) == Approx(0.2).margin(10 * mm));
+  CHECK(high.height_beside(front) == Approx(0.2).margin(10 * m_per_mm));
 }
 
 TEST_CASE("A known subject is found again, noisy and with a third of the surface missing",
@@ -194,10 +193,11 @@ TEST_CASE("A known subject is found again, noisy and with a third of the surface
     Missing missing;
     double point_rms;  // m: of particles from where they ought to be
   };
-  for (const Case& c : {Case{1.2, 30.0, Missing::here_and_there, 3 * mm},
-                        Case{0.8, -30.0, Missing::dome, 3 * mm}, Case{1.2, 0.0, Missing::sector, 6 * mm}}) {
+  for (const Case& c :
+       {Case{1.2, 30.0, Missing::here_and_there, 3 * m_per_mm}, Case{0.8, -30.0, Missing::dome, 3 * m_per_mm},
+        Case{1.2, 0.0, Missing::sector, 6 * m_per_mm}}) {
     KnownSubject subject = known_subject({1, c.scale, c.turn_degrees, 6});
-    add_noise(subject.diaphragm, 2 * mm);
+    add_noise(subject.diaphragm, 2 * m_per_mm);
     Random random(11);
     const Vec3d dome = subject.truth[at(subject.trunk.named("dome_top_left").front())],
                 middle{0.12, -0.05, 0.4};
@@ -211,13 +211,14 @@ TEST_CASE("A known subject is found again, noisy and with a third of the surface
     const Registration found = registered(subject);
     require_a_trunk(found, subject.trunk);
     const PointErrors errors = errors_of(subject, found);
-    CHECK(errors.surface.rms < 2 * mm);  // from the true surface
-    CHECK(errors.surface.percentile95 < 4 * mm);
+    CHECK(errors.surface.rms < 2 * m_per_mm);  // from the true surface
+    CHECK(errors.surface.percentile95 < 4 * m_per_mm);
     CHECK(errors.point.rms < c.point_rms);
     CHECK(found.alignment.similarity.scale == Approx(c.scale).epsilon(0.05));
-    CHECK(found.alignment.similarity.angle() == Approx(std::abs(c.turn_degrees) * degree).margin(4 * degree));
-    CHECK(found.fits.front().to_target->rms < 2 * mm);
-    CHECK(found.fits.front().from_target->rms < 2 * mm);
+    CHECK(found.alignment.similarity.angle() ==
+          Approx(std::abs(c.turn_degrees) * rad_per_degree).margin(4 * rad_per_degree));
+    CHECK(found.fits.front().to_target->rms < 2 * m_per_mm);
+    CHECK(found.fits.front().from_target->rms < 2 * m_per_mm);
   }
 }
 
@@ -238,9 +239,9 @@ TEST_CASE("Volume, length and landmarks are what was asked for; the same comes o
   CHECK(plain.extrapolated == std::vector<std::string>{"abdominal_wall", "lung_top", "lung_wall", "pelvis"});
   CHECK(plain.particles_without_data == 58);
   CHECK(plain.insertion_covered > 0.95);
-  CHECK(found.apposition_length == Approx(0.12).margin(4 * mm));
+  CHECK(found.apposition_length == Approx(0.12).margin(4 * m_per_mm));
   CHECK(norm(mean_of(found.mesh, "dome_top_right") - place) < 0.6 * norm(dome - place));
-  CHECK(errors_of(subject, found).surface.rms < 4 * mm);
+  CHECK(errors_of(subject, found).surface.rms < 4 * m_per_mm);
   for (std::size_t i = 0; i < found.mesh.rest.size(); ++i) {
     const Vec3d &a = found.mesh.rest[i], &b = again.mesh.rest[i];
     CHECK((a.x() == b.x() && a.y() == b.y() && a.z() == b.z()));
@@ -250,11 +251,11 @@ TEST_CASE("Volume, length and landmarks are what was asked for; the same comes o
 
 TEST_CASE("A finer trunk is registered as well", "[slow][regression][registration]") {
   KnownSubject subject = known_subject({2, 1.1, 15.0, 2});
-  add_noise(subject.diaphragm, 2 * mm);
+  add_noise(subject.diaphragm, 2 * m_per_mm);
   const Registration found = registered(subject);
   require_a_trunk(found, subject.trunk);
   CHECK(found.mesh.rest.size() == 455);
-  CHECK(errors_of(subject, found).surface.rms < 2 * mm);
+  CHECK(errors_of(subject, found).surface.rms < 2 * m_per_mm);
 }
 
 TEST_CASE("What no data show is carried along and said", "[slow][regression][registration]") {
@@ -280,8 +281,8 @@ TEST_CASE("Closed lungs draw the domes and the lung's wall", "[slow][regression]
   const Registration found = register_trunk(subject.trunk, targets, [](int, int) {});
   require_a_trunk(found, subject.trunk);
   CHECK(found.fits.front().target == "lungs");
-  CHECK(found.fits.front().to_target->rms < 3 * mm);
-  CHECK(found.fits.front().from_target->rms < 3 * mm);
+  CHECK(found.fits.front().to_target->rms < 3 * m_per_mm);
+  CHECK(found.fits.front().from_target->rms < 3 * m_per_mm);
   const double truth = enclosed_volume<double>(subject.trunk.lung, subject.truth);
   CHECK(found.final.lung == Approx(truth).epsilon(0.03));
 }
@@ -297,7 +298,7 @@ TEST_CASE("Ribs draw by their inner sides alone", "[slow][regression][registrati
   require_a_trunk(inner, subject.trunk);
   CHECK_FALSE(inner.fits.front().to_target);
   REQUIRE(inner.fits.front().from_target);
-  CHECK(inner.fits.front().from_target->rms < 2 * mm);
+  CHECK(inner.fits.front().from_target->rms < 2 * m_per_mm);
 }
 
 TEST_CASE("Targets that cannot be used are refused in words", "[unit][registration]") {

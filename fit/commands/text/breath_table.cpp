@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "breaths/robust.hpp"
+#include "math/median.hpp"
 
 namespace trunk {
 namespace {

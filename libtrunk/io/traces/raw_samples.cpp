@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/median.hpp"
 #include "text/message_text.hpp"
 
 namespace trunk {
@@ -70,9 +71,8 @@ double RawSamples::step_s() const {
     if (std::isfinite(time[i] - time[i - width]))
       steps.push_back((time[i] - time[i - width]) / static_cast<double>(width));
   if (steps.empty()) return INFINITY;
-  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-  std::nth_element(steps.begin(), middle, steps.end());
-  return *middle > 0 ? *middle * columns_.all[*columns_.time].to_si : INFINITY;
+  const double step = upper_median(std::move(steps));
+  return step > 0 ? step * columns_.all[*columns_.time].to_si : INFINITY;
 }
 
 void RawSamples::bridge_missing(std::vector<std::string>& notes) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/median.hpp"
 #include "text/message_text.hpp"
 
 namespace trunk {
@@ -12,12 +13,6 @@ constexpr double max_gap_steps = 10, max_gap_s = 0.25;
 constexpr double lowest_rate_hz = 4, usual_low_hz = 10, usual_high_hz = 2000;
 
 using Times = std::vector<double>;
-
-double median_of(Times values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 Times steps_of(const Times& time) {
   Times steps(time.size() - 1);
@@ -56,7 +51,7 @@ void spread_shared(Times& time, std::vector<std::string>& notes) {
   const auto shared = static_cast<std::size_t>(std::count(steps.begin(), steps.end(), 0.0));
   std::erase(steps, 0.0);
   if (shared < 3 || steps.size() < 3 || *std::min_element(steps.begin(), steps.end()) < 0) return;
-  const double resolution = median_of(steps);
+  const double resolution = upper_median(steps);
   const Line course = even_course(time);
   for (std::size_t i = 0; i < time.size(); ++i)
     if (std::abs(time[i] - course.at(i)) > 1.01 * resolution) return;
@@ -129,7 +124,7 @@ void settle_times(std::vector<double>& time_s, const RawSamples& samples, const 
     spread_shared(time_s, notes);
     check_increases(time_s, samples, *column);
   }
-  const double step = median_of(steps_of(time_s));
+  const double step = upper_median(steps_of(time_s));
   Mistakes mistakes;
   mistakes.gather([&] { check_rate(step, samples, column, notes); });
   mistakes.gather([&] { check_gaps(time_s, step, samples); });

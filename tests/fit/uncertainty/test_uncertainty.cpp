@@ -4,8 +4,8 @@
 #include <random>
 #include <vector>
 
-#include "breaths/robust.hpp"
 #include "compartment/one_compartment.hpp"
+#include "math/median.hpp"
 #include "problem/target.hpp"
 #include "uncertainty/uncertainty.hpp"
 #include "uncertainty/verdict.hpp"
