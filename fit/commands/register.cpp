@@ -59,7 +59,7 @@ class SubjectReader {
  public:
   explicit SubjectReader(const RegisterRequest& request) : request_(request) {}
 
-  SubjectTargets read() {
+  SubjectMeasurements read() {
     if (!request_.surface.empty()) targets_.diaphragm = surface(request_.surface);
     for (const std::string& file : request_.lungs) targets_.lungs.push_back(surface(file));
     if (!request_.skin.empty()) targets_.skin = surface(request_.skin);
@@ -85,7 +85,7 @@ class SubjectReader {
   }
 
   const RegisterRequest& request_;
-  SubjectTargets targets_;
+  SubjectMeasurements targets_;
   std::vector<fs::path> files_;
   std::vector<std::string> notes_;
   std::optional<FileFrame> frame_;
@@ -149,7 +149,7 @@ Exit register_command(const Common& common, RegisterRequest request) {
   ScenarioFile scenario = read_scenario(request.scenario);
   const TrunkMesh trunk = trunk_to_register(request, scenario);
   SubjectReader reader(request);
-  SubjectTargets targets = reader.read();
+  SubjectMeasurements targets = reader.read();
   const bool own_volume = request.lung_volume_ml || targets.lungs.empty();
   if (own_volume)
     targets.lung_volume =

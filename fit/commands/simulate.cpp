@@ -20,11 +20,11 @@ struct SimulateRequest {
 };
 
 Json summary(const Trunk& trunk, const Scenario& scenario, const BreathRun& run) {
-  Json json{{"schema", "trunk.simulate/1"}, {"status", status_word(run.summary.status)}};
+  Json json{{"schema", "trunk.simulate/1"}, {"status", status_word(run.ending.status)}};
   for (const NamedValue& v : measures_of(run)) json[v.name] = json_number(v.value);
   json["particles"] = trunk.model.particles();
   json["triangles"] = trunk.mesh.distinct_triangles();
-  json["steps"] = run.summary.steps;
+  json["steps"] = run.ending.steps;
   json["dt_s"] = scenario.time.dt_s;
   if (const auto& choice = scenario.step_choice) {
     json["dt_chosen"] = "auto";
@@ -32,7 +32,7 @@ Json summary(const Trunk& trunk, const Scenario& scenario, const BreathRun& run)
     json["dt_estimated_error_percent"] = json_number(100.0 * choice->estimated_error);
   }
   json["wall_s"] = run.wall_s;
-  json["message"] = run.summary.message;
+  json["message"] = run.ending.message;
   return json;
 }
 
@@ -40,7 +40,7 @@ Json summary(const Trunk& trunk, const Scenario& scenario, const BreathRun& run)
 void note_loads(const Scenario& s, const BreathRun& run) {
   constexpr double ml = 1e-6;
   const bool loaded = dot(s.gravity, s.gravity) > 0.0 || !s.loads.empty();
-  if (!loaded || !run.summary.completed()) return;
+  if (!loaded || !run.ending.completed()) return;
   const double at_end = run.delta_v.back() / ml;
   if (std::abs(at_end) > 1.0)
     print_note(
@@ -70,10 +70,10 @@ Exit simulate_command(const Common& common, const SimulateRequest& request) {
         run.flipped_triangles));
   const std::string text = fmt::format(
       "{}: {}\n{}  {} particles, {} steps of {:g} ms in {:.1f} ms; written to {}", file.scenario.title,
-      run.summary.message, aligned(measures_of(run)), trunk.model.particles(), run.summary.steps,
+      run.ending.message, aligned(measures_of(run)), trunk.model.particles(), run.ending.steps,
       1e3 * file.scenario.time.dt_s, 1e3 * run.wall_s, request.output);
   print_result(common, summary(trunk, file.scenario, run), text);
-  return run.summary.completed() ? Exit::done : Exit::not_converged;
+  return run.ending.completed() ? Exit::done : Exit::not_converged;
 }
 
 }  // namespace

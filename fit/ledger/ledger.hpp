@@ -11,7 +11,7 @@ namespace trunk {
 
 /// What came of one simulation, as far as a fit can see.
 struct LedgerEntry {
-  std::int32_t status = 0;     // Summary::Status
+  std::int32_t status = 0;     // Ending::Status
   double lasted_s = 0.0;       // how far the simulation came
   double wall_s = 0.0;         // time it took
   std::vector<double> values;  // m3, the model at the target's samples; empty where it failed

@@ -48,7 +48,7 @@ void Objective::charge(Loss loss, double scale) {
 }
 
 /// What was too stiff for a time step longer than 1 ms may be simulated in shorter ones.
-std::optional<TimeGrid> finer(const TimeGrid& grid, const Summary& failed) {
+std::optional<TimeGrid> finer(const TimeGrid& grid, const Ending& failed) {
   constexpr double fine_s = 1e-3;
   if (failed.completed() || grid.dt_s <= fine_s) return std::nullopt;
   return TimeGrid{fine_s, grid.duration_s, grid.damping};
@@ -58,10 +58,10 @@ std::vector<LedgerEntry> Objective::simulate(const std::vector<Candidate>& candi
   const auto start = std::chrono::steady_clock::now();
   std::vector<LedgerEntry> entries;
   for (VolumeCurve& curve : simulate_volumes(trunk_, candidates, grid_)) {
-    const auto again = finer(grid_, curve.summary);
+    const auto again = finer(grid_, curve.ending);
     if (again) curve = simulate_volumes(trunk_, {&candidates[entries.size()], 1}, *again).front();
-    entries.push_back({static_cast<std::int32_t>(curve.summary.status), curve.summary.time_s, 0.0, {}});
-    if (!curve.summary.completed()) continue;
+    entries.push_back({static_cast<std::int32_t>(curve.ending.status), curve.ending.time_s, 0.0, {}});
+    if (!curve.ending.completed()) continue;
     const Eigen::VectorXd model = as_target_sees(target_, curve.delta_v, again.value_or(grid_).dt_s);
     entries.back().values.assign(model.data(), model.data() + model.size());
   }
@@ -75,13 +75,13 @@ LedgerEntry Objective::simulate_slopes(const Eigen::VectorXd& x, const Candidate
   const auto start = std::chrono::steady_clock::now();
   TimeGrid grid = grid_;
   VolumeDerivatives found = simulate_volume_derivatives(trunk_, candidate, space_.directions(x), grid);
-  if (const auto again = finer(grid, found.curve.summary)) {
+  if (const auto again = finer(grid, found.curve.ending)) {
     grid = *again;
     found = simulate_volume_derivatives(trunk_, candidate, space_.directions(x), grid);
   }
   const auto& [curve, along] = found;
-  LedgerEntry entry{static_cast<std::int32_t>(curve.summary.status), curve.summary.time_s, 0.0, {}};
-  if (curve.summary.completed())
+  LedgerEntry entry{static_cast<std::int32_t>(curve.ending.status), curve.ending.time_s, 0.0, {}};
+  if (curve.ending.completed())
     for (const std::vector<double>& derivative : along) {
       const Eigen::VectorXd seen = as_target_sees(target_, curve.delta_v, derivative, grid.dt_s);
       entry.values.insert(entry.values.end(), seen.data(), seen.data() + seen.size());
@@ -93,10 +93,10 @@ LedgerEntry Objective::simulate_slopes(const Eigen::VectorXd& x, const Candidate
 /// The ledger is a file like any other: what it holds is looked at before it is believed.
 bool Objective::usable(const LedgerEntry* entry, std::size_t count) const {
   if (entry == nullptr) return false;
-  const auto completed = static_cast<std::int32_t>(Summary::Status::completed);
+  const auto completed = static_cast<std::int32_t>(Ending::Status::completed);
   if (entry->status != completed)
     return entry->values.empty() && entry->status > completed &&
-           entry->status <= static_cast<std::int32_t>(Summary::Status::volume_lost) &&
+           entry->status <= static_cast<std::int32_t>(Ending::Status::volume_lost) &&
            finite(entry->lasted_s);
   return entry->values.size() == count &&
          std::all_of(entry->values.begin(), entry->values.end(), [](double v) { return finite(v); });
@@ -169,7 +169,7 @@ std::vector<Outcome> Objective::outcomes(const std::vector<Eigen::VectorXd>& som
     result.push_back(judged(some[i], *found[i]));
     if (asked_.emplace(ledger_key(candidates[i]), true).second)
       evaluations_.push_back({candidates[i], result.back().objective,
-                              static_cast<Summary::Status>(found[i]->status), found[i]->wall_s});
+                              static_cast<Ending::Status>(found[i]->status), found[i]->wall_s});
   }
   return result;
 }
@@ -218,7 +218,7 @@ std::vector<std::optional<Eigen::VectorXd>> Objective::models(const std::vector<
 
 int Objective::failures() const noexcept {
   return static_cast<int>(std::count_if(evaluations_.begin(), evaluations_.end(), [](const Evaluation& e) {
-    return e.status != Summary::Status::completed;
+    return e.status != Ending::Status::completed;
   }));
 }
 

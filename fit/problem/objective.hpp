@@ -16,7 +16,7 @@ namespace trunk {
 struct Evaluation {
   Candidate candidate;
   double objective = 0.0;  // deviations squared, with what is known beforehand; a penalty where it failed
-  Summary::Status status = Summary::Status::unset;
+  Ending::Status status = Ending::Status::unset;
   double wall_s = 0.0;
 };
 

@@ -81,7 +81,7 @@ void add_evaluations(const SearchSpace& space, const Estimation& e, FitRecord& f
   for (std::size_t i = 0; i < space.size(); ++i) fit.evaluation_names.emplace_back(space.parameter(i).name);
   for (const Evaluation& evaluation : e.evaluations) {
     for (const double v : natural_values(space, evaluation.candidate)) fit.evaluation_x.push_back(v);
-    const bool done = evaluation.status == Summary::Status::completed;
+    const bool done = evaluation.status == Ending::Status::completed;
     fit.evaluation_objective.push_back(done ? evaluation.objective : std::nan(""));
     fit.evaluation_status.push_back(done ? 0 : static_cast<std::int32_t>(evaluation.status));
     fit.evaluation_wall_s.push_back(evaluation.wall_s);

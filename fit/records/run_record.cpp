@@ -96,9 +96,9 @@ std::string scenario_text(const ScenarioFile& file) {
 }
 
 std::vector<NamedValue> measures_of(const BreathSummary& run) {
-  if (!run.summary.completed()) {  // half a breath has no measures
+  if (!run.ending.completed()) {  // half a breath has no measures
     BreathSummary unknown;
-    unknown.summary.status = Summary::Status::completed;
+    unknown.ending.status = Ending::Status::completed;
     std::vector<NamedValue> values = measures_of(unknown);
     for (NamedValue& v : values) v.value = std::nan("");
     return values;
@@ -138,15 +138,15 @@ void adopt_parameters(const std::vector<NamedValue>& parameters, Scenario& scena
         std::max(scenario.time.duration_s, a.onset_s + a.rise_s + a.fast_fall_s + a.slow_fall_s);
 }
 
-std::string status_word(Summary::Status status) {
+std::string status_word(Ending::Status status) {
   switch (status) {
-    case Summary::Status::completed:
+    case Ending::Status::completed:
       return "completed";
-    case Summary::Status::diverged:
+    case Ending::Status::diverged:
       return "diverged";
-    case Summary::Status::volume_lost:
+    case Ending::Status::volume_lost:
       return "volume_lost";
-    case Summary::Status::unset:
+    case Ending::Status::unset:
       break;
   }
   return "not_run";
@@ -156,8 +156,8 @@ RunRecord run_record(const ScenarioFile& file, const Trunk& trunk, const BreathR
                      const Target& measured, const Provenance& provenance) {
   RunRecord r;
   r.title = file.scenario.title;
-  r.status = status_word(run.summary.status);
-  r.message = run.summary.message;
+  r.status = status_word(run.ending.status);
+  r.message = run.ending.message;
   r.scenario_toml = scenario_text(file);
   if (file.scenario.mesh) r.trunk_pml = trunk_pml(file.scenario);
   r.parameters = parameters_of({file.scenario.parameters, file.scenario.activation});

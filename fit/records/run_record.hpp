@@ -18,7 +18,7 @@ std::vector<NamedValue> parameters_of(const Candidate& candidate);
 void adopt_parameters(const std::vector<NamedValue>& parameters, Scenario& scenario);
 
 /// A word for the status of a simulation: "completed", "diverged", "volume_lost".
-std::string status_word(Summary::Status status);
+std::string status_word(Ending::Status status);
 
 /// `measured` is empty or has the curve a fit was held against, sampled at the run's times.
 RunRecord run_record(const ScenarioFile& file, const Trunk& trunk, const BreathRun& run,

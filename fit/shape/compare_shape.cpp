@@ -17,8 +17,8 @@ void compare_region(const RunRegion& region, const SignedDistance& to, ShapeComp
     result.mean_side += hit.side / static_cast<double>(samples);
   }
   result.covered = static_cast<double>(covered.size()) / static_cast<double>(samples);
-  result.to_surface = summary_of(std::move(all));
-  result.covered_to_surface = summary_of(std::move(covered));
+  result.to_surface = statistics_of(std::move(all));
+  result.covered_to_surface = statistics_of(std::move(covered));
   for (const Vec3d& p : region.points) {
     const SignedDistance::Hit hit = to(p);
     result.side.push_back(hit.side);

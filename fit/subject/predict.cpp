@@ -48,7 +48,7 @@ std::vector<double> tidal_volumes(const Trunk& trunk, std::span<const Candidate>
   std::vector<double> volumes;
   for (const VolumeCurve& curve : simulate_volumes(trunk, candidates, grid))
     volumes.push_back(
-        curve.summary.completed() ? *std::max_element(curve.delta_v.begin(), curve.delta_v.end()) : unknown);
+        curve.ending.completed() ? *std::max_element(curve.delta_v.begin(), curve.delta_v.end()) : unknown);
   return volumes;
 }
 

@@ -39,8 +39,8 @@ ValidatedBreath simulated(const std::filesystem::path& scenario) {
   const std::vector<NamedValue> measures = measures_of(run);
   ValidatedBreath breath;
   breath.title = file.scenario.title;
-  breath.status = status_word(run.summary.status);
-  breath.message = run.summary.message;
+  breath.status = status_word(run.ending.status);
+  breath.message = run.ending.message;
   breath.row = row_of(measures);
   breath.right_dome_mm = value_of(measures, "excursion_right_mm");
   breath.left_dome_mm = value_of(measures, "excursion_left_mm");

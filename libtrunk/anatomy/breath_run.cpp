@@ -56,7 +56,7 @@ std::vector<Vec3d> velocities(const State<double>& state, double dt_s) {
 BreathSummary summary_of(const Trunk& trunk, BreathCourse course) {
   const Model& model = trunk.model;
   BreathSummary s;
-  s.summary = std::move(course.curve.summary);
+  s.ending = std::move(course.curve.ending);
   s.delta_v = std::move(course.curve.delta_v);
   s.measures = measures_between(shape_of(trunk, model.rest), shape_of(trunk, course.at_highest));
   s.peak_pressure_Pa = course.peak_pressure_Pa;
@@ -90,9 +90,9 @@ BreathRun run_breath(const Trunk& trunk, const Scenario& scenario, int frame_eve
       run.frames.push_back({step, state.position, velocities(state, scenario.time.dt_s), touches(state)});
   };
   const auto start = std::chrono::steady_clock::now();
-  Summary summary = simulate(trunk.model, scenario.parameters, scenario.activation, scenario.time, observe);
+  Ending ending = simulate(trunk.model, scenario.parameters, scenario.activation, scenario.time, observe);
   run.wall_s = seconds_since(start);
-  BreathCourse course = watch.course(std::move(summary), 0);
+  BreathCourse course = watch.course(std::move(ending), 0);
   run.end_inspiration = course.at_highest;
   static_cast<BreathSummary&>(run) = summary_of(trunk, std::move(course));
   return run;

@@ -10,7 +10,7 @@ namespace trunk {
 
 /// A simulated breath as a table knows it. Curves have one entry a step and one for the start.
 struct BreathSummary {
-  Summary summary;
+  Ending ending;
   std::vector<double> delta_v;    // m3, lung volume above its start
   Measures measures;              // between the start and end-inspiration, where the lung volume was highest
   double peak_pressure_Pa = 0.0;  // abdominal, above rest

@@ -26,7 +26,7 @@ struct Sampled {
 std::optional<Sampled> run(const Model& model, const Trial<double>& trial, const TimeGrid& grid) {
   VolumeCurve curve;
   kernel().volume_curve(model, {&trial, 1}, grid, {&curve, 1});
-  if (!curve.summary.completed() || curve.delta_v.size() < 2) return std::nullopt;
+  if (!curve.ending.completed() || curve.delta_v.size() < 2) return std::nullopt;
   return Sampled{grid.dt_s, std::move(curve.delta_v)};
 }
 

@@ -37,12 +37,12 @@ class BreathWatch {
   }
 
   /// Of one lane, what it saw until it ended.
-  BreathCourse course(Summary summary, int lane) const {
+  BreathCourse course(Ending ending, int lane) const {
     BreathCourse c;
-    const auto seen = static_cast<std::size_t>(summary.steps) + (summary.completed() ? 1 : 0);
+    const auto seen = static_cast<std::size_t>(ending.steps) + (ending.completed() ? 1 : 0);
     for (std::size_t n = 0; n < seen; ++n) c.curve.delta_v.push_back(in_lane(delta_v_[n], lane));
-    c.curve.summary = std::move(summary);
-    require_lung(enclosed_volume<double>(model_.lung, model_.rest) + in_lane(lowest_, lane), c.curve.summary);
+    c.curve.ending = std::move(ending);
+    require_lung(enclosed_volume<double>(model_.lung, model_.rest) + in_lane(lowest_, lane), c.curve.ending);
     c.peak_pressure_Pa = in_lane(peak_pressure_Pa_, lane);
     c.max_relative_volume_error = in_lane(max_relative_volume_error_, lane);
     for (const auto& [lanes, alone] : {std::pair{&at_highest_, &c.at_highest}, {&at_lowest_, &c.at_lowest}})
@@ -84,11 +84,11 @@ void calc_breath_courses(const Model& model, std::span<const Trial<double>> tria
                          const WhileSimulated& check, std::span<BreathCourse> courses) {
   BreathWatch<S> watch(model, grid.steps(), check);
   const Trial<S> trial = in_lanes<S>(trials);
-  Summaries<S> summaries = simulate_lanes(model, trial.parameters, trial.activation, grid,
+  Endings<S> endings = simulate_lanes(model, trial.parameters, trial.activation, grid,
                                           [&](int step, const S&, const State<S>& state,
                                               const StepReport<S>& report) { watch(step, state, report); });
   for (std::size_t i = 0; i < trials.size(); ++i)
-    courses[i] = watch.course(std::move(summaries[i]), static_cast<int>(i));
+    courses[i] = watch.course(std::move(endings[i]), static_cast<int>(i));
 }
 
 }  // namespace trunk

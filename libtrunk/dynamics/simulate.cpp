@@ -4,24 +4,24 @@
 
 namespace trunk {
 
-Summary ended(Summary::Status status, int step, double time_s) {
+Ending make_ending(Ending::Status status, int step, double time_s) {
   const auto message = [&]() -> std::string {
     switch (status) {
-      case Summary::Status::volume_lost:
+      case Ending::Status::volume_lost:
         return fmt::format(
             "the abdominal volume could not be held at {:.4f} s: the step is too long or the forces too "
             "strong",
             time_s);
-      case Summary::Status::diverged:
+      case Ending::Status::diverged:
         return fmt::format(
             "a particle moved farther than the trunk is tall before {:.4f} s: the simulation diverged",
             time_s);
-      case Summary::Status::completed:
+      case Ending::Status::completed:
         return "completed";
-      case Summary::Status::unset:
+      case Ending::Status::unset:
         break;
     }
-    return Summary{}.message;
+    return Ending{}.message;
   };
   return {status, step, time_s, message()};
 }

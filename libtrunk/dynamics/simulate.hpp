@@ -18,7 +18,7 @@ struct TimeGrid {
 };
 
 /// How a simulation ended. Starts unset, so that a forgotten run cannot look like a good one.
-struct Summary {
+struct Ending {
   enum class Status { unset, completed, diverged, volume_lost };
   Status status = Status::unset;
   int steps = 0;
@@ -30,10 +30,10 @@ struct Summary {
 
 /// How the simulation of each lane ended.
 template <Scalar S>
-using Summaries = std::array<Summary, static_cast<std::size_t>(lanes_of<S>)>;
+using Endings = std::array<Ending, static_cast<std::size_t>(lanes_of<S>)>;
 
 /// The summary of a simulation that ended at that step and time, in words.
-Summary ended(Summary::Status status, int step, double time_s);
+Ending make_ending(Ending::Status status, int step, double time_s);
 
 /// True where every particle is finite and nearer to its rest position than `reach_m`.
 template <Scalar S>
@@ -50,26 +50,26 @@ Mask<S> within_reach(const Model& model, const State<S>& state, double reach_m) 
 double height(const Model& model);
 
 /// Runs from rest over the grid, in lockstep. `observe(step, activation, state, report)` is called at step 0
-/// and after each step. A lane ends early, with the status and time in its Summary, where the volume cannot
+/// and after each step. A lane ends early, with the status and time in its Ending, where the volume cannot
 /// be held or a particle moves farther than the trunk is tall: what it then still shows means nothing, and
 /// the others do not feel it. Once all lanes have ended nothing more is observed. `advance` is `step`, as
 /// compiled here or elsewhere.
 template <Scalar S, class Observer>
-Summaries<S> simulate_lanes(const Model& model, const Parameters<S>& parameters,
+Endings<S> simulate_lanes(const Model& model, const Parameters<S>& parameters,
                             const BreathActivation<S>& activation, const TimeGrid& grid, Observer&& observe,
                             Step<S>* advance = &step<S>) {
   constexpr int steps_between_checks = 16;
   State<S> state = rest_state<S>(model);
   Workspace<S> workspace = make_workspace(model, parameters, grid.dt_s, grid.damping);
-  Summaries<S> summaries;
+  Endings<S> endings;
   const double reach_m = height(model);
   const int steps = grid.steps();
 
-  const auto end = [&](Summary::Status status, const Mask<S>& lanes, int n) {
+  const auto end = [&](Ending::Status status, const Mask<S>& lanes, int n) {
     const Mask<S> ending = Mask<S>(workspace.running & lanes);
     if (!any(ending)) return;
     for (int i = 0; i < lanes_of<S>; ++i)
-      if (in_lane(ending, i)) summaries[static_cast<std::size_t>(i)] = ended(status, n, state.time_s);
+      if (in_lane(ending, i)) endings[static_cast<std::size_t>(i)] = make_ending(status, n, state.time_s);
     workspace.running = Mask<S>(workspace.running & !ending);
   };
 
@@ -77,19 +77,19 @@ Summaries<S> simulate_lanes(const Model& model, const Parameters<S>& parameters,
   for (int n = 1; n <= steps; ++n) {
     const StepReport<S> report = advance(model, parameters, activation(state.time_s), state, workspace);
     state.time_s = n * grid.dt_s;  // no accumulated round-off
-    end(Summary::Status::volume_lost, !report.ok, n);
+    end(Ending::Status::volume_lost, !report.ok, n);
     if (n % steps_between_checks == 0 || n == steps)
-      end(Summary::Status::diverged, !within_reach(model, state, reach_m), n);
-    if (!any(workspace.running)) return summaries;
+      end(Ending::Status::diverged, !within_reach(model, state, reach_m), n);
+    if (!any(workspace.running)) return endings;
     observe(n, activation(state.time_s), state, report);
   }
-  end(Summary::Status::completed, workspace.running, steps);
-  return summaries;
+  end(Ending::Status::completed, workspace.running, steps);
+  return endings;
 }
 
 /// The same for a single simulation, with the step that is the fastest on this machine.
 template <Scalar S, class Observer>
-Summary simulate(const Model& model, const Parameters<S>& parameters, const BreathActivation<S>& activation,
+Ending simulate(const Model& model, const Parameters<S>& parameters, const BreathActivation<S>& activation,
                  const TimeGrid& grid, Observer&& observe) {
   static_assert(lanes_of<S> == 1);
   Step<S>* advance = &step<S>;

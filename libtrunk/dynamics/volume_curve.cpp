@@ -12,17 +12,17 @@ LungGain::LungGain(const Model& model)
     : moving_(by_motion(model.lung_fans, model).moving),
       start_(volume_of_fans<double>(moving_, model.rest)) {}
 
-void require_lung(double lowest_volume, Summary& summary) {
-  if (!summary.completed() || lowest_volume > 0.0) return;
-  summary.status = Summary::Status::diverged;
-  summary.message = fmt::format(
+void require_lung(double lowest_volume, Ending& ending) {
+  if (!ending.completed() || lowest_volume > 0.0) return;
+  ending.status = Ending::Status::diverged;
+  ending.message = fmt::format(
       "the lung lost all of its volume (lowest: {:.0f} ml): the loads or movements are more than this "
       "model can follow",
       ml_per_m3 * lowest_volume);
 }
 
 void require_lung(double start_volume, VolumeCurve& curve) {
-  require_lung(start_volume + *std::min_element(curve.delta_v.begin(), curve.delta_v.end()), curve.summary);
+  require_lung(start_volume + *std::min_element(curve.delta_v.begin(), curve.delta_v.end()), curve.ending);
 }
 
 }  // namespace trunk

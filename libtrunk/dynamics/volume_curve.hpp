@@ -9,12 +9,12 @@ namespace trunk {
 
 /// Lung volume above its start at every step, m3: what a fit compares.
 struct VolumeCurve {
-  Summary summary;
+  Ending ending;
   std::vector<double> delta_v;  // [steps + 1]; fewer where the simulation ended early
 };
 
 /// A lung of no volume has turned inside out: whatever comes of it is no breath.
-void require_lung(double lowest_volume, Summary& summary);
+void require_lung(double lowest_volume, Ending& ending);
 void require_lung(double start_volume, VolumeCurve& curve);
 
 /// Lung volume above its start, m3. Triangles that are still add the same at all times and are left out.
@@ -35,7 +35,7 @@ class LungGain {
 
 /// Lung volume above its start at every step that was reached, m3.
 template <Scalar S>
-Summaries<S> simulate_volume(const Model& model, const Trial<S>& trial, const TimeGrid& grid,
+Endings<S> simulate_volume(const Model& model, const Trial<S>& trial, const TimeGrid& grid,
                              std::vector<S>& delta_v) {
   const LungGain gain(model);
   delta_v.reserve(static_cast<std::size_t>(grid.steps()) + 1);
@@ -47,9 +47,9 @@ Summaries<S> simulate_volume(const Model& model, const Trial<S>& trial, const Ti
 
 /// The curve of one lane: what it saw until it ended.
 template <Scalar S>
-VolumeCurve curve_in_lane(const Model& model, std::span<const S> delta_v, Summary summary, int lane) {
-  const std::size_t seen = static_cast<std::size_t>(summary.steps) + (summary.completed() ? 1 : 0);
-  VolumeCurve curve{std::move(summary), {}};
+VolumeCurve curve_in_lane(const Model& model, std::span<const S> delta_v, Ending ending, int lane) {
+  const std::size_t seen = static_cast<std::size_t>(ending.steps) + (ending.completed() ? 1 : 0);
+  VolumeCurve curve{std::move(ending), {}};
   curve.delta_v.reserve(seen);
   for (const S& v : delta_v.first(seen)) curve.delta_v.push_back(in_lane(v, lane));
   require_lung(enclosed_volume<double>(model.lung, model.rest), curve);
@@ -61,9 +61,9 @@ template <Scalar S>
 void calc_volume_curves(const Model& model, std::span<const Trial<double>> trials, const TimeGrid& grid,
                         std::span<VolumeCurve> curves) {
   std::vector<S> delta_v;
-  const Summaries<S> summaries = simulate_volume(model, in_lanes<S>(trials), grid, delta_v);
+  const Endings<S> endings = simulate_volume(model, in_lanes<S>(trials), grid, delta_v);
   for (std::size_t i = 0; i < trials.size(); ++i)
-    curves[i] = curve_in_lane<S>(model, delta_v, summaries[i], static_cast<int>(i));
+    curves[i] = curve_in_lane<S>(model, delta_v, endings[i], static_cast<int>(i));
 }
 
 /// The volume curve of a trial and its derivatives along directions. directions: [0 to N], as are
@@ -73,8 +73,8 @@ void calc_volume_derivatives(const Model& model, const Trial<double>& trial,
                              std::span<const Trial<double>> directions, const TimeGrid& grid,
                              VolumeCurve& curve, std::span<std::vector<double>> derivatives) {
   std::vector<Dual<N>> delta_v;
-  const auto summaries = simulate_volume(model, with_tangents<N>(trial, directions), grid, delta_v);
-  curve = curve_in_lane<Dual<N>>(model, delta_v, summaries[0], 0);
+  const auto endings = simulate_volume(model, with_tangents<N>(trial, directions), grid, delta_v);
+  curve = curve_in_lane<Dual<N>>(model, delta_v, endings[0], 0);
   for (std::size_t i = 0; i < directions.size(); ++i) {
     derivatives[i].clear();
     for (const Dual<N>& v : std::span(delta_v).first(curve.delta_v.size()))

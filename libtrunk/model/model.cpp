@@ -109,8 +109,8 @@ std::vector<bool> moving_particles(const Model& model) {
   return moving;
 }
 
-std::vector<IndexRange> ranges(const std::vector<bool>& mask) {
-  std::vector<IndexRange> found;
+std::vector<HalfOpenRange> ranges(const std::vector<bool>& mask) {
+  std::vector<HalfOpenRange> found;
   for (std::size_t i = 0; i < mask.size(); ++i) {
     if (!mask[i]) continue;
     if (found.empty() || found.back().last != i) found.push_back({i, i});

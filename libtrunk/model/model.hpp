@@ -142,16 +142,16 @@ std::vector<bool> pushed_particles(const Model& model);
 std::vector<bool> moving_particles(const Model& model);
 
 /// Numbers one after the other, [first, last).
-struct IndexRange {
+struct HalfOpenRange {
   std::size_t first, last;
 };
 
 /// Where a mask holds.
-std::vector<IndexRange> ranges(const std::vector<bool>& mask);
+std::vector<HalfOpenRange> ranges(const std::vector<bool>& mask);
 
 /// Calls visit(number) for all of them.
 template <class Visit>
-[[gnu::always_inline]] inline void for_all(const std::vector<IndexRange>& ranges, Visit&& visit) noexcept {
+[[gnu::always_inline]] inline void for_all(const std::vector<HalfOpenRange>& ranges, Visit&& visit) noexcept {
   for (const auto& [first, last] : ranges)
     for (std::size_t i = first; i < last; ++i) visit(i);
 }

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "math/units.hpp"
-#include "registration/measured_target.hpp"
+#include "registration/target_surface.hpp"
 #include "registration/surface_samples.hpp"
 #include "surface/closest_points.hpp"
 #include "surface/distances.hpp"
@@ -85,7 +85,7 @@ class Corresponding {
   SurfacePair pair_;
   std::vector<Vec3d> trunk_points_, trunk_normals_, measured_points_;
   ClosestPoints trunk_;
-  MeasuredTarget measured_;
+  TargetSurface measured_;
 };
 
 Vec3d mean(std::span<const Vec3d> points) {

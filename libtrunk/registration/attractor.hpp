@@ -1,7 +1,7 @@
 #pragma once
 
 #include "registration/linear_actuators.hpp"
-#include "registration/measured_target.hpp"
+#include "registration/target_surface.hpp"
 #include "registration/surface_samples.hpp"
 
 namespace trunk {
@@ -40,7 +40,7 @@ class Attractor {
 
  private:
   const Attraction& attraction_;
-  MeasuredTarget target_;
+  TargetSurface target_;
   double area_;
   std::vector<SurfaceSample> samples_;   // of the part
   std::vector<Vec3d> points_, normals_;  // of the target

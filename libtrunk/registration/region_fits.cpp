@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "registration/measured_target.hpp"
+#include "registration/target_surface.hpp"
 #include "registration/surface_samples.hpp"
 
 namespace trunk {
@@ -23,7 +23,7 @@ int nearest_corner(const Triangle& triangle, const std::array<double, 3>& weight
 
 std::vector<Measured> of_part(const TrunkMesh& mesh, const Attraction& a) {
   const std::size_t count = std::max<std::size_t>(points_on_each, 20 * a.part.size());
-  const MeasuredTarget target(*a.target);
+  const TargetSurface target(*a.target);
   const std::vector<Vec3d> points = spread_over(mesh.rest, a.part, count);
   const auto on_part = ClosestPoints(mesh.rest, a.part)(points), on_target = target.closest(points);
   std::vector<Measured> found;
@@ -38,7 +38,7 @@ std::vector<Measured> of_part(const TrunkMesh& mesh, const Attraction& a) {
 }
 
 std::vector<Measured> of_target(const TrunkMesh& mesh, const Attraction& a) {
-  const MeasuredTarget target(*a.target);
+  const TargetSurface target(*a.target);
   const std::vector<Vec3d> points = spread_over(a.target->points, a.target->triangles, points_on_each);
   const auto on_part = ClosestPoints(mesh.rest, a.part)(points), on_target = target.closest(points);
   std::vector<Measured> found;
@@ -56,7 +56,7 @@ std::optional<Distances> distances_of(std::span<const Measured> all, Wanted&& wa
   for (const Measured& m : all)
     if (wanted(m)) chosen.push_back(m.distance);
   if (chosen.empty()) return std::nullopt;
-  return summary_of(std::move(chosen));
+  return statistics_of(std::move(chosen));
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 #include "math/units.hpp"
 #include "mesh/volume.hpp"
 #include "registration/line_goals.hpp"
-#include "registration/measured_target.hpp"
+#include "registration/target_surface.hpp"
 #include "registration/region_fits.hpp"
 #include "registration/trunk_parts.hpp"
 
@@ -40,7 +40,7 @@ struct Shown {
   Attraction::Facing facing;
 };
 
-std::vector<Shown> shown_by(const TrunkMesh& trunk, const SubjectTargets& targets) {
+std::vector<Shown> shown_by(const TrunkMesh& trunk, const SubjectMeasurements& targets) {
   using Direction = Attraction::Direction;
   using Facing = Attraction::Facing;
   std::vector<Shown> shown;
@@ -200,7 +200,7 @@ Placed place(const TrunkMesh& trunk, const std::vector<Shown>& shown,
 
 }  // namespace
 
-Registration register_trunk(const TrunkMesh& trunk, const SubjectTargets& targets,
+Registration register_trunk(const TrunkMesh& trunk, const SubjectMeasurements& targets,
                             const std::function<void(int iteration, int of)>& progress) {
   const std::vector<Shown> shown = shown_by(trunk, targets);
   std::vector<LinearActuator> landmarks;
@@ -253,7 +253,7 @@ Registration register_trunk(const TrunkMesh& trunk, const SubjectTargets& target
   result.apposition_wanted = targets.apposition_length;
   for (const MeasuredSurface& lung : targets.lungs)
     result.lungs_given += enclosed_volume<double>(lung.triangles, lung.points);
-  result.closed_diaphragm = targets.diaphragm && MeasuredTarget(*targets.diaphragm).closed();
+  result.closed_diaphragm = targets.diaphragm && TargetSurface(*targets.diaphragm).closed();
   result.quality = mesh_quality(aligned_mesh, result.mesh.rest);
   for (Vec3d& p : result.mesh.rest) p = turn(similarity.rotation, p) + similarity.shift;
   return result;

@@ -11,7 +11,7 @@ namespace trunk {
 
 /// What is known of a subject at the end of expiration; each is optional, one surface at least is not. x
 /// right, y forward, z up, m.
-struct SubjectTargets {
+struct SubjectMeasurements {
   std::optional<MeasuredSurface> diaphragm, skin, ribs;
   std::vector<MeasuredSurface> lungs;       // closed: one, or the right and the left
   std::map<std::string, Vec3d> landmarks;   // of TrunkMesh, of one to three particles
@@ -57,7 +57,7 @@ struct Registration {
 /// Registers a trunk to a subject: `align`, then `match`, then the lung's height by its volume. The result
 /// has the connectivity and the names of the trunk it came from. Throws InputError without a surface, on
 /// landmarks it does not know, and where the lung volume leaves no room over the domes.
-Registration register_trunk(const TrunkMesh& trunk, const SubjectTargets& targets,
+Registration register_trunk(const TrunkMesh& trunk, const SubjectMeasurements& targets,
                             const std::function<void(int iteration, int of)>& progress);
 
 }  // namespace trunk

@@ -35,7 +35,7 @@ std::vector<double> areas_up_to(std::span<const Vec3d> points, std::span<const T
 
 }  // namespace
 
-Distances summary_of(std::vector<double> distances) {
+Distances statistics_of(std::vector<double> distances) {
   if (distances.empty()) return {};
   std::sort(distances.begin(), distances.end());
   double sum = 0.0, squares = 0.0;
@@ -75,7 +75,7 @@ Distances distances(std::span<const Vec3d> points, std::span<const Triangle> tri
                     const ClosestPoints& to, std::size_t samples) {
   std::vector<double> all;
   for (const Vec3d& p : spread_over(points, triangles, samples)) all.push_back(to(p).distance);
-  Distances result = summary_of(std::move(all));
+  Distances result = statistics_of(std::move(all));
   std::vector<bool> seen(points.size());
   for (const Triangle& t : triangles)
     for (const int i : t) {

@@ -16,7 +16,7 @@ struct Distances {
 
 /// Of numbers that are already distances, each >= 0; all 0 of none. Percentiles are interpolated linearly
 /// between the sorted numbers.
-Distances summary_of(std::vector<double> distances);
+Distances statistics_of(std::vector<double> distances);
 
 /// `count` points spread evenly over the area of a surface: as many on equal areas, by a sequence of low
 /// discrepancy within (Roberts' R2), the same on every call. Empty where the area is 0.

@@ -34,8 +34,8 @@ TEST_CASE("Paralysis of the left mirrors paralysis of the right within 2 %", "[r
 TEST_CASE("The paralysed dome rises while the healthy one descends, at about half the volume",
           "[regression][anatomy][slow]") {
   const BreathRun healthy = breath_of("healthy"), paralysed = breath_of("hemiparalysis_right");
-  REQUIRE(healthy.summary.completed());
-  REQUIRE(paralysed.summary.completed());
+  REQUIRE(healthy.ending.completed());
+  REQUIRE(paralysed.ending.completed());
   const double ratio = paralysed.measures.delta_v / healthy.measures.delta_v;
   WARN("paralysed " << ml(paralysed.measures.delta_v) << " of " << ml(healthy.measures.delta_v)
                     << " ml, ratio " << ratio << ", paralysed dome "
@@ -60,7 +60,7 @@ TEST_CASE("Both hemidiaphragms paralysed do not breathe", "[unit][anatomy]") {
   scenario.parameters.muscle = 30.0;
   scenario.time.duration_s = 0.1;  // nothing happens: no need to wait
   const BreathRun run = run_breath(make_trunk(scenario), scenario, 0);
-  CHECK(run.summary.completed());
+  CHECK(run.ending.completed());
   CHECK(std::abs(run.measures.delta_v) < 1e-12);
 }
 
@@ -91,7 +91,7 @@ TEST_CASE("The volume curve of a fit is that of the run", "[property][anatomy]")
   const Trunk trunk = make_trunk(scenario);
   const BreathRun run = run_breath(trunk, scenario, 0);
   const VolumeCurve curve = simulate_volume(trunk, scenario.parameters, scenario.activation, scenario.time);
-  CHECK(curve.summary.completed());
+  CHECK(curve.ending.completed());
   CHECK(curve.delta_v == run.delta_v);
 }
 
@@ -109,9 +109,9 @@ TEST_CASE("Breaths summarised side by side are those of each alone, also beside 
   for (std::size_t i = 0; i < trials.size(); ++i) {
     scenario.parameters = trials[i].parameters;
     const BreathRun alone = run_breath(trunk, scenario, 0);
-    CHECK(alone.summary.completed() == (i != 1));
-    CHECK(together[i].summary.status == alone.summary.status);
-    CHECK(together[i].summary.message == alone.summary.message);
+    CHECK(alone.ending.completed() == (i != 1));
+    CHECK(together[i].ending.status == alone.ending.status);
+    CHECK(together[i].ending.message == alone.ending.message);
     CHECK(together[i].delta_v == alone.delta_v);
     if (i == 1) continue;
     CHECK(together[i].measures.delta_l == alone.measures.delta_l);
@@ -151,7 +151,7 @@ TEST_CASE("A force on a region moves it, an unknown region is named", "[unit][an
   const Trunk trunk = make_trunk(scenario);
   CHECK(trunk.model.focal_forces.size() == 19);
   const BreathRun run = run_breath(trunk, scenario, 0);
-  CHECK(run.summary.completed());
+  CHECK(run.ending.completed());
   CHECK(run.measures.delta_v > 10e-6);
   scenario.loads[0].region = "liver";
   CHECK_THROWS_WITH(make_trunk(scenario), Catch::Matchers::Contains("here:7") &&

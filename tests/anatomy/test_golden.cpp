@@ -89,7 +89,7 @@ TEST_CASE("Breaths are where the independent oracle puts them", "[regression][go
     const Scenario scenario = shipped(golden.at("scenario"));
     require_same_scenario(golden, scenario);
     const BreathRun run = run_breath(make_trunk(scenario), scenario, 1);
-    REQUIRE(run.summary.completed());
+    REQUIRE(run.ending.completed());
     check_delta_v(golden, run);
     REQUIRE(golden.at("particles").size() >= 5);
     for (const char* moment : {"start", "end_inspiration", "end"}) {

@@ -33,14 +33,14 @@ RigidPart swinging_half(const Scenario& scenario, const std::string& side, doubl
 }
 
 struct Held {
-  Summary summary;
+  Ending ending;
   double volume_error = 0.0, farthest_outside = -1.0;
 };
 
 /// What the constraints leave over, over a whole breath.
 Held held_over(const Scenario& scenario, const Trunk& trunk) {
   Held held;
-  held.summary = simulate(
+  held.ending = simulate(
       trunk.model, scenario.parameters, scenario.activation, scenario.time,
       [&](int, double, const State<double>& state, const StepReport<double>&) {
         const double volume = enclosed_volume<double>(trunk.model.abdomen.triangles, state.position);
@@ -121,7 +121,7 @@ TEST_CASE("Two halves of the rib cage that swing outward: volume and ribs hold, 
   scenario.rigid = {swinging_half(scenario, "right", 3.0), swinging_half(scenario, "left", 3.0)};
   const Trunk trunk = make_trunk(scenario);
   const Held held = held_over(scenario, trunk);
-  CHECK(held.summary.completed());
+  CHECK(held.ending.completed());
   CHECK(held.volume_error < 1e-10);
   CHECK(held.farthest_outside < 1e-9);
   CHECK(held.farthest_outside > -1e-3);  // some do touch
@@ -158,7 +158,7 @@ TEST_CASE("Halves that swing inward make the breath shallower, and come back to 
   scenario.rigid = {swinging_half(scenario, "right", -2.0), swinging_half(scenario, "left", -2.0)};
   const Trunk trunk = make_trunk(scenario);
   const Held held = held_over(scenario, trunk);
-  CHECK(held.summary.completed());
+  CHECK(held.ending.completed());
   CHECK(held.volume_error < 1e-10);
   CHECK(held.farthest_outside < 1e-9);
   CHECK(run_breath(trunk, scenario, 0).measures.delta_v < without - 50e-6);
@@ -175,7 +175,7 @@ TEST_CASE("A free tendon without ribs moves as one piece, and the volume holds",
   const Trunk trunk = make_trunk(scenario);
   REQUIRE(trunk.model.bodies.size() == 1);
   const BreathRun run = run_breath(trunk, scenario, 100);
-  REQUIRE(run.summary.completed());
+  REQUIRE(run.ending.completed());
   CHECK(run.max_relative_volume_error < 1e-13);
   const auto& tendon = trunk.mesh.named("central_tendon");
   double stretch = 0.0, moved = 0.0;

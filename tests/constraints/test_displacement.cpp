@@ -50,7 +50,7 @@ TEST_CASE("A displaced region follows its course at every step and the volume is
                      "here"}};
   const Trunk trunk = make_trunk(scenario);
   double sideways = 0.0, off_course = 0.0, volume_error = 0.0;
-  const Summary summary =
+  const Ending ending =
       simulate(trunk.model, scenario.parameters, scenario.activation, scenario.time,
                [&](int, double, const State<double>& state, const StepReport<double>&) {
                  for (int particle : trunk.mesh.regions.at("central_tendon")) {
@@ -63,7 +63,7 @@ TEST_CASE("A displaced region follows its course at every step and the volume is
                  volume_error = std::max(volume_error, std::abs(volume / trunk.model.abdomen.rest - 1.0));
                });
   CAPTURE(off_course, sideways, volume_error);
-  CHECK(summary.completed());
+  CHECK(ending.completed());
   CHECK(off_course < 1e-15);
   CHECK(sideways > 1e-6);
   CHECK(volume_error < 1e-13);

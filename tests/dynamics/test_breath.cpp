@@ -12,7 +12,7 @@ namespace {
 
 /// What must hold at every step of a breath.
 struct Watched {
-  Summary summary;
+  Ending ending;
   double volume_error = 0.0;      // relative to the target
   double penetration = -1.0;      // m, of the deepest support
   double depth_of_contact = 0.0;  // m, of those that say they touch
@@ -23,7 +23,7 @@ Watched watch(const Scenario& scenario) {
   const Trunk trunk = make_trunk(scenario);
   const Model& model = trunk.model;
   Watched seen;
-  seen.summary = simulate(
+  seen.ending = simulate(
       model, scenario.parameters, scenario.activation, scenario.time,
       [&](int, double, const State<double>& state, const StepReport<double>&) {
         const double target = model.abdomen.target.empty() ? 1.0 : model.abdomen.target(state.time_s);
@@ -60,7 +60,7 @@ std::vector<double> bits_of_breath(const Scenario& scenario) {
 
 TEST_CASE("The abdominal volume is held at every step of the published breath", "[property][dynamics]") {
   const Watched seen = watch(shipped("published_healthy"));
-  CHECK(seen.summary.completed());
+  CHECK(seen.ending.completed());
   CHECK(seen.volume_error < 1e-13);
   WARN("published, no ribs: largest relative volume error " << seen.volume_error);
 }
@@ -72,7 +72,7 @@ TEST_CASE("With ribs the volume is held and no support is crossed at any step",
     const Watched seen = watch(shipped(name));
     INFO(name);
     CAPTURE(seen.volume_error, seen.penetration);
-    CHECK(seen.summary.completed());
+    CHECK(seen.ending.completed());
     CHECK(seen.volume_error < 1e-12);
     CHECK(seen.penetration < 1e-10);
     CHECK(seen.depth_of_contact < 1e-10);
@@ -90,7 +90,7 @@ TEST_CASE("An abdominal volume that changes in time is followed", "[property][dy
     const Watched seen = watch(scenario);
     INFO(name);
     CAPTURE(seen.volume_error, seen.penetration);
-    CHECK(seen.summary.completed());
+    CHECK(seen.ending.completed());
     CHECK(seen.volume_error < 1e-12);
     CHECK(seen.penetration < 1e-10);
   }
@@ -135,7 +135,7 @@ TEST_CASE("At rest without activation nothing moves", "[property][dynamics][slow
     const Trunk trunk = make_trunk(scenario);
     const BreathRun run = run_breath(trunk, scenario, 0);
     INFO(name);
-    CHECK(run.summary.completed());
+    CHECK(run.ending.completed());
     CHECK(largest(difference(run.end_inspiration, trunk.model.rest)) < 1e-12);
   }
 }
@@ -147,8 +147,8 @@ TEST_CASE("A trunk may wait before it breathes", "[property][dynamics][slow]") {
       scenario.activation.onset_s = onset_s;
       scenario.time.duration_s = onset_s + 0.5;
       const Watched seen = watch(scenario);
-      CAPTURE(name, onset_s, seen.summary.message);
-      CHECK(seen.summary.completed());
+      CAPTURE(name, onset_s, seen.ending.message);
+      CHECK(seen.ending.completed());
       CHECK(seen.volume_error < 1e-12);
     }
 }
@@ -158,8 +158,8 @@ TEST_CASE("Several breaths with pauses run through", "[property][dynamics][slow]
   scenario.activation = {0.0, 0.4, 0.1, 0.4, 0.4, 2.0};
   scenario.time.duration_s = 6.0;
   const Watched seen = watch(scenario);
-  CAPTURE(seen.summary.message);
-  CHECK(seen.summary.completed());
+  CAPTURE(seen.ending.message);
+  CHECK(seen.ending.completed());
   CHECK(seen.volume_error < 1e-12);
   CHECK(seen.penetration < 1e-10);
 }

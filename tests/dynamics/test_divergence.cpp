@@ -9,14 +9,14 @@ using namespace trunk::test;
 namespace {
 
 struct Outcome {
-  Summary summary;
+  Ending ending;
   bool saw_only_finite_numbers = true;
   int observed = 0;
 };
 
 Outcome outcome_of(const Scenario& scenario) {
   Outcome outcome;
-  outcome.summary =
+  outcome.ending =
       simulate(make_trunk(scenario).model, scenario.parameters, scenario.activation, scenario.time,
                [&](int, double, const State<double>& state, const StepReport<double>& report) {
                  ++outcome.observed;
@@ -52,18 +52,18 @@ TEST_CASE("A run that blows up says so and shows no NaN before", "[property][dyn
       Scenario scenario = shipped(name);
       absurd.make(scenario);
       const Outcome outcome = outcome_of(scenario);
-      INFO(name << ", " << absurd.what << ": " << outcome.summary.message);
-      CHECK((outcome.summary.status == Summary::Status::diverged ||
-             outcome.summary.status == Summary::Status::volume_lost));
+      INFO(name << ", " << absurd.what << ": " << outcome.ending.message);
+      CHECK((outcome.ending.status == Ending::Status::diverged ||
+             outcome.ending.status == Ending::Status::volume_lost));
       CHECK(outcome.saw_only_finite_numbers);
-      CHECK(outcome.observed <= outcome.summary.steps);  // step 0 counts, the broken one is not shown
-      CHECK(outcome.summary.message.find(" s") != std::string::npos);
+      CHECK(outcome.observed <= outcome.ending.steps);  // step 0 counts, the broken one is not shown
+      CHECK(outcome.ending.message.find(" s") != std::string::npos);
     }
 }
 
 TEST_CASE("A summary that was never filled is no success", "[unit][dynamics]") {
-  CHECK_FALSE(Summary{}.completed());
-  CHECK(Summary{}.status == Summary::Status::unset);
+  CHECK_FALSE(Ending{}.completed());
+  CHECK(Ending{}.status == Ending::Status::unset);
 }
 
 TEST_CASE("A particle blown out of the trunk ends the run as diverged", "[unit][dynamics]") {
@@ -76,9 +76,9 @@ TEST_CASE("A particle blown out of the trunk ends the run as diverged", "[unit][
   model.mobility[static_cast<std::size_t>(lung)] = {1, 1, 1};
   model.focal_forces = {{lung, {0, 0, 1}, PiecewiseLinear({{0.0, 100.0}})}};
   int last_seen = 0;
-  const Summary summary = simulate(model, scenario.parameters, scenario.activation, {1e-3, 1.0},
+  const Ending ending = simulate(model, scenario.parameters, scenario.activation, {1e-3, 1.0},
                                    [&](int n, double, const auto&, const auto&) { last_seen = n; });
-  CHECK(summary.status == Summary::Status::diverged);
-  CHECK(last_seen == summary.steps - 1);
-  CHECK(summary.time_s < 0.1);  // 1/2 500 m/s2 t^2 leaves a trunk of under 1 m
+  CHECK(ending.status == Ending::Status::diverged);
+  CHECK(last_seen == ending.steps - 1);
+  CHECK(ending.time_s < 0.1);  // 1/2 500 m/s2 t^2 leaves a trunk of under 1 m
 }

@@ -69,7 +69,7 @@ TEST_CASE("The derivatives of a whole breath are those of central differences",
     const TimeGrid grid{2e-3, 4.5};
     const auto directions = relative_directions(trial);
     const VolumeDerivatives exact = simulate_volume_derivatives(trunk, trial, directions, grid);
-    REQUIRE(exact.curve.summary.completed());
+    REQUIRE(exact.curve.ending.completed());
     CHECK(exact.curve.delta_v == simulate_volume(trunk, trial.parameters, trial.activation, grid).delta_v);
     const double h = 1e-6;
     std::vector<Trial<double>> around;
@@ -97,7 +97,7 @@ TEST_CASE("Derivatives pass through loads, friction, moving ribs and free bodies
   const TimeGrid grid{1e-3, 0.2};
   const auto directions = relative_directions(trial);
   const VolumeDerivatives exact = simulate_volume_derivatives(trunk, trial, directions, grid);
-  REQUIRE(exact.curve.summary.completed());
+  REQUIRE(exact.curve.ending.completed());
   const double h = 1e-6;
   for (std::size_t n : {0u, 1u, 2u, 3u}) {
     const auto volume = [&](double by) {
@@ -144,7 +144,7 @@ TEST_CASE("Every instruction set gives the same bits", "[property][dynamics]") {
     for (std::size_t i = 0; i < lanes; ++i) {
       VolumeCurve alone;
       k->volume_curve(model, std::span(trials).subspan(i, 1), grid, {&alone, 1});
-      REQUIRE(alone.summary.completed());
+      REQUIRE(alone.ending.completed());
       CHECK(alone.delta_v == together[i].delta_v);
     }
     VolumeCurve curve;

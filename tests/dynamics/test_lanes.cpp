@@ -40,7 +40,7 @@ void append_numbers(const State<S>& state, const StepReport<S>& report, int lane
 }
 
 struct History {
-  Summary summary;
+  Ending ending;
   std::vector<std::vector<double>> steps;  // until the simulation ended
 };
 
@@ -49,15 +49,15 @@ std::vector<History> histories(const Model& model, const std::vector<Trial<doubl
                                const TimeGrid& grid) {
   const Trial<S> trial = in_lanes<S>(trials);
   std::vector<History> result(static_cast<std::size_t>(lanes_of<S>));
-  const auto summaries =
+  const auto endings =
       simulate_lanes(model, trial.parameters, trial.activation, grid,
                      [&](int, const S&, const State<S>& state, const StepReport<S>& report) {
                        for (int lane = 0; lane < lanes_of<S>; ++lane)
                          append_numbers(state, report, lane, result[at(lane)].steps.emplace_back());
                      });
   for (std::size_t lane = 0; lane < result.size(); ++lane) {
-    result[lane].summary = summaries[lane];
-    if (!summaries[lane].completed()) result[lane].steps.resize(at(summaries[lane].steps));
+    result[lane].ending = endings[lane];
+    if (!endings[lane].completed()) result[lane].steps.resize(at(endings[lane].steps));
   }
   return result;
 }
@@ -72,10 +72,10 @@ void check_lanes(const Model& model, const std::vector<Trial<double>>& trials, c
   for (std::size_t lane = 0; lane < together.size(); ++lane) {
     const History alone = histories<double>(model, {trials[lane]}, grid)[0];
     const History& among_others = together[lane];
-    CAPTURE(lane, alone.summary.message, among_others.summary.message);
-    CHECK(among_others.summary.status == alone.summary.status);
-    CHECK(among_others.summary.steps == alone.summary.steps);
-    CHECK(among_others.summary.time_s == alone.summary.time_s);
+    CAPTURE(lane, alone.ending.message, among_others.ending.message);
+    CHECK(among_others.ending.status == alone.ending.status);
+    CHECK(among_others.ending.steps == alone.ending.steps);
+    CHECK(among_others.ending.time_s == alone.ending.time_s);
     REQUIRE(among_others.steps.size() == alone.steps.size());
     std::size_t equal = 0;
     while (equal < alone.steps.size() && same_bits(among_others.steps[equal], alone.steps[equal])) ++equal;
@@ -115,8 +115,8 @@ TEST_CASE("Lanes that fail do not disturb their neighbours", "[property][dynamic
   const Model model = make_trunk(scenario).model;
   check_lanes(model, trials, {1e-3, 0.1});
   const auto together = histories<Four>(model, trials, {1e-3, 0.1});
-  CHECK(together[0].summary.completed());
-  for (std::size_t lane : {1, 2, 3}) CHECK_FALSE(together[lane].summary.completed());
+  CHECK(together[0].ending.completed());
+  for (std::size_t lane : {1, 2, 3}) CHECK_FALSE(together[lane].ending.completed());
 }
 
 TEST_CASE("Searches for contacts end each in its own time, to the bit", "[property][constraints]") {
@@ -184,11 +184,11 @@ TEST_CASE("When all lanes have failed the simulation stops", "[unit][dynamics]")
     trials[i].parameters.elasticity = std::pow(10.0, 6.0 + static_cast<double>(i));
   const Trial<Four> trial = in_lanes<Four>(trials);
   int last = 0;
-  const auto summaries =
+  const auto endings =
       simulate_lanes(make_trunk(scenario).model, trial.parameters, trial.activation, {1e-3, 4.5},
                      [&](int n, const auto&, const auto&, const auto&) { last = n; });
   int latest = 0;
-  for (const Summary& summary : summaries) latest = std::max(latest, summary.steps);
+  for (const Ending& ending : endings) latest = std::max(latest, ending.steps);
   CHECK(last == latest - 1);
   CHECK(latest < 1000);
 }
@@ -225,8 +225,8 @@ TEST_CASE("A batch of any size gives the curves of its trials", "[property][anat
     for (std::size_t i = 0; i < count; ++i) {
       CAPTURE(count, i);
       const VolumeCurve alone = simulate_volume(trunk, trials[i].parameters, trials[i].activation, grid);
-      CHECK(curves[i].summary.message == alone.summary.message);
-      CHECK(curves[i].summary.completed() == (i != 6));
+      CHECK(curves[i].ending.message == alone.ending.message);
+      CHECK(curves[i].ending.completed() == (i != 6));
       CHECK(same_bits(curves[i].delta_v, alone.delta_v));
     }
   }

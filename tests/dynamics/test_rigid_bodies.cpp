@@ -160,7 +160,7 @@ TEST_CASE("A free body in a held volume: both hold to round-off", "[property][dy
   const Trunk trunk = make_trunk(scenario);
   const auto& tendon = trunk.mesh.named("central_tendon");
   double volume_error = 0.0, stretch = 0.0, turned = 0.0;
-  const Summary summary =
+  const Ending ending =
       simulate(trunk.model, scenario.parameters, scenario.activation, scenario.time,
                [&](int, double, const State<double>& state, const StepReport<double>&) {
                  const double volume = enclosed_volume<double>(trunk.model.abdomen.triangles, state.position);
@@ -169,7 +169,7 @@ TEST_CASE("A free body in a held volume: both hold to round-off", "[property][dy
                  turned = std::max(turned, norm(state.body[0].pose.rotation.v));
                });
   WARN("free tendon: volume error " << volume_error << ", stretch " << stretch << " m, turn " << turned);
-  CHECK(summary.completed());
+  CHECK(ending.completed());
   CHECK(volume_error < 1e-13);
   CHECK(stretch < 1e-13);
 }

@@ -18,7 +18,7 @@ struct Curves {
 Curves curves_with(Scenario scenario, double dt_s) {
   scenario.time.dt_s = dt_s;
   const BreathRun run = run_breath(make_trunk(scenario), scenario, 0);
-  REQUIRE(run.summary.completed());
+  REQUIRE(run.ending.completed());
   const auto every = static_cast<std::size_t>(std::lround(0.016 / dt_s));
   Curves curves;
   for (std::size_t n = 0; n < run.delta_v.size(); n += every) {
@@ -35,7 +35,7 @@ double rms(const std::vector<double>& a, const std::vector<double>& b) {
   return std::sqrt(sum / static_cast<double>(a.size()));
 }
 
-Summary run_at(const Model& model, const Parameters<double>& parameters, double dt_s, int steps,
+Ending run_at(const Model& model, const Parameters<double>& parameters, double dt_s, int steps,
                double* last_energy_over_first = nullptr) {
   // Full activation from the start shakes every mode.
   const BreathActivation<double> full{-2.0, 2.0, 1e9, 1.0, 1.0, 0.0};
@@ -96,8 +96,8 @@ TEST_CASE("Just below the stability bound a run completes, above it it does not"
       const Model model = make_trunk(scenario).model;
       const double bound = stable_time_step(model, parameters);
       double growth = 0.0;
-      const Summary below = run_at(model, parameters, 0.9 * bound, 1500);
-      const Summary above = run_at(model, parameters, 1.3 * bound, 1500, &growth);
+      const Ending below = run_at(model, parameters, 0.9 * bound, 1500);
+      const Ending above = run_at(model, parameters, 1.3 * bound, 1500, &growth);
       CAPTURE(name, damping, bound, growth, above.steps);
       INFO(below.message);
       CHECK(below.completed());
@@ -157,7 +157,7 @@ TEST_CASE("Stiffer and finer models, and faster breaths, are given shorter steps
     const TimeStepChoice choice = auto_time_step(trunk.model, s.parameters, s.activation, duration_s);
     const auto delta_v = [&](const TimeGrid& grid) {
       const VolumeCurve curve = simulate_volume(trunk, s.parameters, s.activation, grid);
-      REQUIRE(curve.summary.completed());
+      REQUIRE(curve.ending.completed());
       return curve.delta_v;
     };
     CAPTURE(choice.grid.dt_s, choice.stable_s, choice.estimated_error);

@@ -106,6 +106,6 @@ TEST_CASE("A pressure on the abdominal wall empties no lung and pushes the diaph
   // pelvic floor 12, and two bands of 24 from the pelvis up to the upper ring of the wall
   CHECK(trunk.model.pressures[0].triangles.size() == 60);
   const BreathRun run = run_breath(trunk, scenario, 0);
-  CHECK(run.summary.completed());
+  CHECK(run.ending.completed());
   CHECK(run.delta_v.back() < -10e-6);
 }

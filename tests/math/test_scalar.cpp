@@ -18,7 +18,7 @@ std::vector<Vec3d> positions_after(const Scenario& scenario, int steps) {
                                        S(a.slow_fall_s), S(a.fast_fall_level), S(a.period_s)};
   const Trunk trunk = make_trunk(scenario);
   std::vector<Vec3d> result;
-  const Summary summary =
+  const Ending ending =
       simulate(trunk.model, parameters, activation, {1e-3, steps * 1e-3},
                [&](int, S, const State<S>& state, const StepReport<S>&) {
                  result.clear();
@@ -26,7 +26,7 @@ std::vector<Vec3d> positions_after(const Scenario& scenario, int steps) {
                    result.emplace_back(static_cast<double>(x.x()), static_cast<double>(x.y()),
                                        static_cast<double>(x.z()));
                });
-  REQUIRE(summary.completed());
+  REQUIRE(ending.completed());
   return result;
 }
 

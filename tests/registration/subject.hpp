@@ -94,7 +94,7 @@ double keep(MeasuredSurface& surface, Wanted&& wanted) {
   return missing;
 }
 
-inline Registration registered(const KnownSubject& subject, SubjectTargets targets = {}) {
+inline Registration registered(const KnownSubject& subject, SubjectMeasurements targets = {}) {
   if (!targets.diaphragm) targets.diaphragm = subject.diaphragm;
   return register_trunk(subject.trunk, targets, [](int, int) {});
 }
@@ -114,7 +114,7 @@ inline PointErrors errors_of(const KnownSubject& subject, const Registration& fo
       point.push_back(norm(found.mesh.rest[at] - subject.truth[at]));
       surface.push_back(truth(found.mesh.rest[at]).distance);
     }
-  return {summary_of(point), summary_of(surface)};
+  return {statistics_of(point), statistics_of(surface)};
 }
 
 }  // namespace trunk::test

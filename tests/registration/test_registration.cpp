@@ -3,7 +3,7 @@
 #include "errors/input_error.hpp"
 #include "math/units.hpp"
 #include "registration/insertion_line.hpp"
-#include "registration/measured_target.hpp"
+#include "registration/target_surface.hpp"
 #include "registration/subject.hpp"
 
 using namespace trunk;
@@ -116,7 +116,7 @@ TEST_CASE("An actuator that draws along one direction lets its point slide acros
 TEST_CASE("A surface ends at its border, jagged or not", "[unit][registration]") {
   const MeasuredSurface square{
       "square", {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}};
-  const MeasuredTarget target(square);
+  const TargetSurface target(square);
   const Vec3d up{0.0, 0.0, 1.0}, over{0.7, 0.3, 4.0}, beside{3.0, 0.5, 0.0};
   CHECK(target.ends_before(beside, up, target.closest(beside)));
   CHECK_FALSE(target.ends_before(over, up, target.closest(over)));
@@ -129,7 +129,7 @@ TEST_CASE("A surface ends at its border, jagged or not", "[unit][registration]")
 TEST_CASE("The border of an open surface is known", "[unit][registration]") {
   const MeasuredSurface square{
       "square", {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}};
-  const MeasuredTarget target(square);
+  const TargetSurface target(square);
   CHECK(target.on_border(target.closest({2.0, 0.5, 0.0})));
   CHECK(target.on_border(target.closest({2.0, 2.0, 0.0})));
   CHECK_FALSE(target.on_border(target.closest({0.6, 0.2, 1.0})));
@@ -227,7 +227,7 @@ TEST_CASE("Volume, length and landmarks are what was asked for; the same comes o
   const KnownSubject subject = known_subject({1, 1.0, 0.0, 3});
   const Registration plain = registered(subject);
   const Vec3d dome = mean_of(plain.mesh, "dome_top_right"), place = dome + Vec3d{0.0, 0.01, 0.0};
-  SubjectTargets targets;
+  SubjectMeasurements targets;
   targets.diaphragm = subject.diaphragm;
   targets.lung_volume = 4000e-6;
   targets.apposition_length = 0.12;
@@ -261,7 +261,7 @@ TEST_CASE("A finer trunk is registered as well", "[slow][regression][registratio
 TEST_CASE("What no data show is carried along and said", "[slow][regression][registration]") {
   KnownSubject subject = known_subject({1, 1.0, 0.0, 4});
   keep(subject.diaphragm, [](const Vec3d& p) { return p.z() > 0.46; });  // 0.36 of the trunk
-  SubjectTargets targets;
+  SubjectMeasurements targets;
   targets.diaphragm = subject.diaphragm;
   targets.lower_border = LowerBorder::cut;
   const Registration dome = registered(subject, targets);
@@ -276,7 +276,7 @@ TEST_CASE("What no data show is carried along and said", "[slow][regression][reg
 
 TEST_CASE("Closed lungs draw the domes and the lung's wall", "[slow][regression][registration]") {
   const KnownSubject subject = known_subject({1, 1.05, 10.0, 4});
-  SubjectTargets targets;
+  SubjectMeasurements targets;
   targets.lungs.push_back(refined(subject.truth, subject.trunk.lung, 4));
   const Registration found = register_trunk(subject.trunk, targets, [](int, int) {});
   require_a_trunk(found, subject.trunk);
@@ -289,7 +289,7 @@ TEST_CASE("Closed lungs draw the domes and the lung's wall", "[slow][regression]
 
 TEST_CASE("Ribs draw by their inner sides alone", "[slow][regression][registration]") {
   const KnownSubject subject = known_subject({1, 1.0, 0.0, 2});
-  SubjectTargets targets;
+  SubjectMeasurements targets;
   targets.ribs = refined(subject.truth, rib_side_of(subject.trunk), 3);
   const Registration outer = register_trunk(subject.trunk, targets, [](int, int) {});
   CHECK_FALSE(outer.fits.front().from_target);
@@ -305,7 +305,7 @@ TEST_CASE("Targets that cannot be used are refused in words", "[unit][registrati
   KnownSubject subject = known_subject({1, 1.0, 0.0, 1});
   CHECK_THROWS_WITH(register_trunk(subject.trunk, {}, [](int, int) {}),
                     Contains("no surface to register to"));
-  SubjectTargets targets;
+  SubjectMeasurements targets;
   targets.diaphragm = subject.diaphragm;
   targets.landmarks["nose"] = {};
   CHECK_THROWS_WITH(registered(subject, targets), Contains("'nose'") && Contains("dome_top_right"));

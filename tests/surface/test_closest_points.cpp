@@ -156,7 +156,7 @@ TEST_CASE("Distances between spheres are those of their radii", "[unit][surface]
   for (const double value : {d.mean, d.rms, d.median, d.percentile95, d.hausdorff})
     CHECK(value == Approx(0.01).margin(2e-4));
   CHECK(d.hausdorff >= d.percentile95);
-  const Distances known = summary_of({3.0, 1.0, 2.0, 0.0, 4.0});
+  const Distances known = statistics_of({3.0, 1.0, 2.0, 0.0, 4.0});
   CHECK(known.mean == 2.0);
   CHECK(known.rms == Approx(std::sqrt(6.0)));
   CHECK(known.median == 2.0);

@@ -15,7 +15,7 @@ Target twin(const Trunk& trunk, const Scenario& s, Parameters<double> truth) {
   TimeGrid fine = s.time;
   fine.dt_s *= 0.5;
   const VolumeCurve curve = simulate_volume(trunk, truth, s.activation, fine);
-  REQUIRE(curve.summary.completed());
+  REQUIRE(curve.ending.completed());
   Target target;
   for (int i = 0; i <= 200; ++i) target.time_s.push_back(s.time.duration_s * i / 200);
   const Eigen::VectorXd v = sampled(curve.delta_v, fine.dt_s, target.time_s);

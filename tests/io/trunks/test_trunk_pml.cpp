@@ -42,10 +42,10 @@ std::vector<Vec3d> after_steps(const Scenario& s, int steps) {
   TimeGrid grid = s.time;
   grid.duration_s = steps * grid.dt_s;
   std::vector<Vec3d> position;
-  const Summary summary =
+  const Ending ending =
       simulate(trunk.model, s.parameters, s.activation, grid,
                [&](int, double, const State<double>& state, const auto&) { position = state.position; });
-  REQUIRE(summary.completed());
+  REQUIRE(ending.completed());
   return position;
 }
 

@@ -1,4 +1,4 @@
-#include "registration/measured_target.hpp"
+#include "registration/target_surface.hpp"
 
 #include <algorithm>
 
@@ -24,7 +24,7 @@ std::set<std::pair<int, int>> border_edges(std::span<const Triangle> triangles) 
 
 }  // namespace
 
-MeasuredTarget::MeasuredTarget(const MeasuredSurface& surface)
+TargetSurface::TargetSurface(const MeasuredSurface& surface)
     : surface_(&surface),
       closest_(surface.points, surface.triangles),
       edges_(border_edges(surface.triangles)),
@@ -33,15 +33,15 @@ MeasuredTarget::MeasuredTarget(const MeasuredSurface& surface)
     at_border_[static_cast<std::size_t>(a)] = at_border_[static_cast<std::size_t>(b)] = true;
 }
 
-const Triangle& MeasuredTarget::triangle(const ClosestPoints::Hit& hit) const {
+const Triangle& TargetSurface::triangle(const ClosestPoints::Hit& hit) const {
   return surface_->triangles[static_cast<std::size_t>(hit.triangle)];
 }
 
-Vec3d MeasuredTarget::normal(const ClosestPoints::Hit& hit) const {
+Vec3d TargetSurface::normal(const ClosestPoints::Hit& hit) const {
   return unit_normal(surface_->points, triangle(hit));
 }
 
-bool MeasuredTarget::on_border(const ClosestPoints::Hit& hit) const {
+bool TargetSurface::on_border(const ClosestPoints::Hit& hit) const {
   const Triangle& t = triangle(hit);
   std::array<int, 3> on{};
   std::size_t count = 0;
@@ -51,7 +51,7 @@ bool MeasuredTarget::on_border(const ClosestPoints::Hit& hit) const {
   return count == 2 && edges_.contains(std::minmax(on[0], on[1]));
 }
 
-bool MeasuredTarget::ends_before(const Vec3d& from, const Vec3d& normal,
+bool TargetSurface::ends_before(const Vec3d& from, const Vec3d& normal,
                                  const ClosestPoints::Hit& hit) const {
   constexpr double oblique = 0.7;  // cosine
   if (on_border(hit)) return true;

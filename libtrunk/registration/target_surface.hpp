@@ -8,10 +8,10 @@
 namespace trunk {
 
 /// A measured surface that is asked for closest points, and knows where it ends.
-class MeasuredTarget {
+class TargetSurface {
  public:
   /// The surface outlives it. Throws InputError as ClosestPoints does.
-  explicit MeasuredTarget(const MeasuredSurface& surface);
+  explicit TargetSurface(const MeasuredSurface& surface);
 
   std::vector<ClosestPoints::Hit> closest(std::span<const Vec3d> points) const { return closest_(points); }
   ClosestPoints::Hit closest(const Vec3d& p) const { return closest_(p); }
