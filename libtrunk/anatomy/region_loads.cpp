@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <set>
 
-#include "errors/input_error.hpp"
-
 namespace trunk {
 namespace {
 
@@ -37,9 +35,10 @@ bool carried(const Model& model, int particle) {
 void impose(const RegionLoad& load, int particle, Model& model) {
   if (carried(model, particle))
     throw InputError(
-        fmt::format("{}: particle {} is carried by a moving rigid part, so no displacement can be imposed "
-                    "on it; expected another region, or another motion of the part",
-                    load.origin, particle));
+        load.at,
+        fmt::format("particle {} is carried by a moving rigid part, so no displacement can be imposed on it",
+                    particle),
+        "another region, or another motion of the part");
   model.imposed_displacements.push_back({particle, load.axes, load.direction, load.magnitude});
   Vec3d& mobility = model.mobility[static_cast<std::size_t>(particle)];
   mobility = hadamard(mobility, Vec3d(1.0, 1.0, 1.0) - load.axes);
@@ -58,13 +57,13 @@ void add_traction(const RegionLoad& load, const std::vector<Triangle>& triangles
 
 void apply(const RegionLoad& load, Trunk& trunk) {
   Model& model = trunk.model;
-  const std::vector<int> particles = selected_particles(trunk.mesh, load.region, load.origin);
+  const std::vector<int> particles = selected_particles(trunk.mesh, load.region, load.at);
   if (load.kind == RegionLoad::Kind::pressure) {
     const auto triangles = triangles_within(trunk.mesh, {particles.begin(), particles.end()});
     if (triangles.empty())
       throw InputError(
-          fmt::format("{}: no triangle has all its corners in '{}', so a pressure has nothing to act on",
-                      load.origin, load.region));
+          load.at, fmt::format("no triangle has all its corners in '{}', so a pressure has nothing to act on",
+                               load.region));
     if (dot(load.direction, load.direction) == 0.0)
       model.pressures.push_back({triangles, load.magnitude});
     else

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "anatomy/trunk.hpp"
+#include "errors/input_error.hpp"
 #include "math/piecewise_linear.hpp"
 
 namespace trunk {
@@ -21,10 +22,11 @@ struct RegionLoad {
   Vec3d direction;
   Vec3d axes;  // of a displacement: 1 imposed, 0 free
   PiecewiseLinear magnitude;
-  std::string origin;  // file:line, for messages
+  Place at;  // in the user's file, for messages
 };
 
-/// Adds a load to the trunk's model. Throws InputError, beginning with the load's origin.
+/// Adds a load to the trunk's model. Throws InputError at the load's place if the region is not there, if no
+/// triangle lies within it (pressure) or if a moving rigid part carries its particles (displacement).
 void apply(const RegionLoad& load, Trunk& trunk);
 
 }  // namespace trunk

@@ -71,7 +71,7 @@ RigidBody body_of(const TrunkMesh& mesh, const RigidPart& part) {
   RigidBody body;
   body.name = part.region;
   body.motion = part.motion;
-  body.particles = selected_particles(mesh, part.region, part.origin);
+  body.particles = selected_particles(mesh, part.region, part.at);
   body.imposed = part.imposed;
   return body;
 }
@@ -83,9 +83,10 @@ void require_free_parts_off(const std::map<int, int>& surface_of, const std::vec
     for (int i : model.bodies[part].particles)
       if (parts[part].motion == RigidBody::Motion::free && surface_of.contains(i))
         throw InputError(
-            fmt::format("{}: the free rigid part '{}' carries particle {}, which slides along the ribs; "
-                        "expected a part off the zone of apposition, or tissue.ribs = false",
-                        parts[part].origin, parts[part].region, i));
+            parts[part].at,
+            fmt::format("the free rigid part '{}' carries particle {}, which slides along the ribs",
+                        parts[part].region, i),
+            "a part off the zone of apposition, or tissue.ribs = false");
 }
 
 }  // namespace
@@ -98,18 +99,19 @@ void add_rigid_parts(const TrunkMesh& mesh, const Tissue& tissue, const std::vec
     const RigidBody body = body_of(mesh, part);
     claimed.insert(body.particles.begin(), body.particles.end());
     if (part.motion == RigidBody::Motion::free && !part.surface_for.empty())
-      throw InputError(
-          fmt::format("{}: the rigid part '{}' is free and has a surface, expected a fixed or driven one",
-                      part.origin, part.region));
+      throw InputError(part.at, fmt::format("the rigid part '{}' is free and has a surface", part.region),
+                       "a fixed or driven one");
     if (!part.surface_for.empty())
-      for (int i : selected_particles(mesh, part.surface_for, part.origin))
+      for (int i : selected_particles(mesh, part.surface_for, part.at))
         if (!surface_of.emplace(i, static_cast<int>(model.bodies.size())).second)
-          throw InputError(fmt::format(
-              "{}: particle {} already slides along another rigid part, expected one", part.origin, i));
+          throw InputError(part.at, fmt::format("particle {} already slides along another rigid part", i),
+                           "one");
     try {
       carry(body, model);
     } catch (const InputError& error) {
-      throw InputError(fmt::format("{}: {}", part.origin, error.what()));
+      Mistake mistake = error.mistake();
+      mistake.at = part.at;
+      throw InputError(std::move(mistake));
     }
   }
   if (tissue.ribs) {
@@ -125,12 +127,10 @@ void add_rigid_parts(const TrunkMesh& mesh, const Tissue& tissue, const std::vec
   for (const auto& [particle, body] : surface_of) {
     const auto place = places.find(particle);
     if (place == places.end() || place->second.row == 0)
-      throw InputError(fmt::format(
-          "{}particle {} cannot slide along a rigid surface, expected one on a muscle line between the "
-          "costal "
-          "insertion and the top of the zone of apposition",
-          body < static_cast<int>(parts.size()) ? parts[static_cast<std::size_t>(body)].origin + ": " : "",
-          particle));
+      throw InputError(
+          body < static_cast<int>(parts.size()) ? parts[static_cast<std::size_t>(body)].at : Place{},
+          fmt::format("particle {} cannot slide along a rigid surface", particle),
+          "one on a muscle line between the costal insertion and the top of the zone of apposition");
     model.supports.push_back(support_at(mesh, particle, place->second, body));
   }
   model.friction = tissue.rib_friction;

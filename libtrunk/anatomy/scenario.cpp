@@ -47,15 +47,19 @@ Trunk make_trunk(const Scenario& s) {
 void require_stable(const Scenario& s, const Trunk& trunk) {
   const double bound = stable_time_step(trunk.model, s.parameters, s.time.damping);
   if (!(s.time.dt_s < bound))
-    throw InputError(fmt::format(
-        "a time step of {:.4g} ms is unstable for k_elasticity {:.4g} N/m, k_muscle {:.4g} N/m and damping "
-        "{:.4g} N s/m; expected less than {:.4g} ms: lower time.dt_ms",
-        ms_per_s * s.time.dt_s, s.parameters.elasticity, s.parameters.muscle, s.parameters.damping,
-        ms_per_s * bound));
+    throw InputError(
+        {},
+        fmt::format(
+            "a time step of {:.4g} ms is unstable for k_elasticity {:.4g} N/m, k_muscle {:.4g} N/m and "
+            "damping {:.4g} N s/m",
+            ms_per_s * s.time.dt_s, s.parameters.elasticity, s.parameters.muscle, s.parameters.damping),
+        fmt::format("less than {:.4g} ms", ms_per_s * bound), "lower time.dt_ms");
   const double steps = s.time.duration_s / s.time.dt_s;
   if (!(steps >= 1.0 && steps <= 1e7))
-    throw InputError(fmt::format("a duration of {:.4g} s at {:.4g} ms makes {:.3g} steps; expected 1 to 1e7",
-                                 s.time.duration_s, ms_per_s * s.time.dt_s, steps));
+    throw InputError({},
+                     fmt::format("a duration of {:.4g} s at {:.4g} ms makes {:.3g} steps", s.time.duration_s,
+                                 ms_per_s * s.time.dt_s, steps),
+                     "1 to 1e7");
 }
 
 }  // namespace trunk

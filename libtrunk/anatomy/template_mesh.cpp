@@ -141,10 +141,12 @@ void size_lung(const TrunkGeometry& geometry, const LungWall& wall, double base_
   const double height = (geometry.end_expiratory_volume - at_zero) / (volume_at(1.0) - at_zero);
   const double domes = std::max(geometry.dome_height_right, geometry.dome_height_left);
   if (!(0.5 * height > domes))
-    throw InputError(fmt::format(
-        "an end-expiratory lung volume of {:.0f} ml leaves a lung {:.0f} mm high over domes of {:.0f} mm on "
-        "this cross-section; expected at least twice the dome height: raise the volume or lower the domes",
-        ml_per_m3 * geometry.end_expiratory_volume, mm_per_m * height, mm_per_m * domes));
+    throw InputError(
+        {},
+        fmt::format("an end-expiratory lung volume of {:.0f} ml makes a lung {:.0f} mm high over domes of "
+                    "{:.0f} mm on this cross-section",
+                    ml_per_m3 * geometry.end_expiratory_volume, mm_per_m * height, mm_per_m * domes),
+        "at least twice the dome height", "raise the volume or lower the domes");
   place_lung(wall, base_z, height, m);
 }
 
@@ -152,10 +154,10 @@ void require_possible(const TrunkGeometry& g) {
   for (const double length : {g.half_width, g.half_depth, g.abdomen_height, g.apposition_length,
                               g.dome_height_right, g.dome_height_left, g.end_expiratory_volume})
     if (!std::isfinite(length) || length <= 0.0)
-      throw InputError(
-          fmt::format("a length or volume of the trunk is {}, expected a finite number above 0", length));
+      throw InputError({}, fmt::format("a length or volume of the trunk is {}", length),
+                       "a finite number above 0");
   if (g.resolution < 1 || g.resolution > 16)
-    throw InputError(fmt::format("the mesh resolution is {}, expected 1 to 16", g.resolution));
+    throw InputError({}, fmt::format("the mesh resolution is {}", g.resolution), "1 to 16");
 }
 
 }  // namespace

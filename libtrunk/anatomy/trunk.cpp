@@ -89,8 +89,8 @@ void require_possible(const Tissue& tissue) {
   for (const double factor : {tissue.tendon_factor, tissue.paralysed_stiffness, tissue.rib_friction,
                               tissue.membrane_stiffness, tissue.particle_mass, tissue.held_stiffness})
     if (!std::isfinite(factor) || factor < 0.0)
-      throw InputError(
-          fmt::format("a mass, stiffness or factor of the tissue is {}, expected 0 or more", factor));
+      throw InputError({}, fmt::format("a mass, stiffness or factor of the tissue is {}", factor),
+                       "0 or more");
 }
 
 }  // namespace

@@ -6,8 +6,6 @@
 #include <charconv>
 #include <set>
 
-#include "errors/input_error.hpp"
-
 namespace trunk {
 namespace {
 
@@ -44,8 +42,8 @@ bool add_range(std::string_view item, std::vector<int>& particles, int count) {
   return true;
 }
 
-void require(bool good, const std::string& text) {
-  if (!good) throw InputError(text);
+void require(bool good, const std::string& found, const std::string& expected = "") {
+  if (!good) throw InputError({}, found, expected);
 }
 
 void require_names(const TrunkMesh& mesh) {
@@ -62,23 +60,22 @@ void require_names(const TrunkMesh& mesh) {
 
 void require_muscle_lines(const TrunkMesh& mesh) {
   const auto& lines = mesh.muscle_lines;
-  require(lines.size() >= 3, fmt::format("the trunk has {} muscle lines, expected 3 or more", lines.size()));
+  require(lines.size() >= 3, fmt::format("the trunk has {} muscle lines", lines.size()), "3 or more");
   const std::size_t length = lines.front().size(), top = mesh.apposition_top_row();
   require(
       top >= 1 && top + 1 < length,
       "no muscle line passes the top of the zone of apposition (landmark apposition_top) between its ends");
   for (const auto& line : lines)
-    require(
-        line.size() == length,
-        fmt::format("a muscle line has {} particles and another {}, expected as many", line.size(), length));
+    require(line.size() == length,
+            fmt::format("a muscle line has {} particles and another {}", line.size(), length),
+            "the same number in all");
   std::set<int> seen;
   for (const auto& line : lines) {
     const auto place = [&](std::size_t row, const char* region) {
       require(contains(mesh.named(region), line[row]),
-              fmt::format(
-                  "particle {}, number {} of the muscle line from particle {}, is not in {}; expected lines "
-                  "from the costal insertion up the zone of apposition to the central tendon",
-                  line[row], row + 1, line.front(), region));
+              fmt::format("particle {}, number {} of the muscle line from particle {}, is not in {}",
+                          line[row], row + 1, line.front(), region),
+              "lines from the costal insertion up the zone of apposition to the central tendon");
     };
     place(0, "costal_insertion");
     for (std::size_t row = 1; row <= top; ++row) place(row, "zone_of_apposition");
@@ -93,20 +90,20 @@ Vec3d centre_of(const TrunkMesh& mesh, const std::vector<int>& particles) {
   return (1.0 / static_cast<double>(particles.size())) * sum;
 }
 
-/// Without it a trunk in other axes would be simulated, and the wrong side paralysed.
+/// In other axes the wrong side would be paralysed, so such a trunk is refused.
 void require_orientation(const TrunkMesh& mesh) {
   const auto centre = [&](const char* name) { return centre_of(mesh, mesh.named(name)); };
-  const std::string expected = "expected x to the subject's right, y forward, z up";
+  const std::string axes = "x to the subject's right, y forward, z up";
   require(centre("dome_top_left").x() < centre("dome_top_right").x(),
-          "the right dome is not to the right of the left one; " + expected);
+          "the right dome is not to the right of the left one", axes);
   require(centre("pelvis").z() < centre("costal_insertion").z() &&
               centre("costal_insertion").z() < centre("apposition_top").z() &&
               centre("apposition_top").z() < centre("lung_wall").z(),
-          "pelvis, costal insertion, top of the zone of apposition and lung wall are not above each other; " +
-              expected);
+          "pelvis, costal insertion, top of the zone of apposition and lung wall are not above each other",
+          axes);
   if (const auto& spine = mesh.named("spine"); !spine.empty())
     require(centre_of(mesh, spine).y() < centre("costal_insertion").y(),
-            "the spine is not behind the costal insertion; " + expected);
+            "the spine is not behind the costal insertion", axes);
 }
 
 }  // namespace
@@ -135,8 +132,7 @@ std::size_t TrunkMesh::apposition_top_row() const {
   return static_cast<std::size_t>(at - line.begin());
 }
 
-std::vector<int> selected_particles(const TrunkMesh& mesh, const std::string& text,
-                                    const std::string& origin) {
+std::vector<int> selected_particles(const TrunkMesh& mesh, const std::string& text, const Place& at) {
   std::set<int> particles;
   std::vector<int> range;
   const int count = static_cast<int>(mesh.rest.size());
@@ -152,9 +148,8 @@ std::vector<int> selected_particles(const TrunkMesh& mesh, const std::string& te
       particles.insert(range.begin(), range.end());
     else
       throw InputError(
-          fmt::format("{}: there is no region or particle '{}', expected particles 0 to {} (as in 0-3,7), * "
-                      "for all, or one of {}",
-                      origin, item, count - 1, names_of(mesh)));
+          at, fmt::format("there is no region or particle '{}'", item),
+          fmt::format("particles 0 to {} (as in 0-3,7), * for all, or one of {}", count - 1, names_of(mesh)));
     begin = end + 1;
   }
   return {particles.begin(), particles.end()};

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "errors/input_error.hpp"
 #include "math/vec3.hpp"
 #include "mesh/surface.hpp"
 
@@ -51,8 +52,7 @@ struct TrunkMesh {
 
 /// Particles named as in LML's `appliedTo`: a region or landmark, numbers and ranges as in "0-3,7", or "*"
 /// for all. Throws InputError, beginning with `origin`, naming what is known.
-std::vector<int> selected_particles(const TrunkMesh& mesh, const std::string& text,
-                                    const std::string& origin);
+std::vector<int> selected_particles(const TrunkMesh& mesh, const std::string& text, const Place& at);
 
 /// Throws InputError unless the anatomy is there that measures, fibres and ribs need: muscle lines of one
 /// length that pass the top of the zone of apposition in one row, dome tops on both sides, every index a

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "errors/input_error.hpp"
 #include "model/model.hpp"
 
 namespace trunk {
@@ -55,7 +56,7 @@ struct RigidPart {
   RigidBody::Motion motion = RigidBody::Motion::fixed;
   ImposedMotion imposed;
   std::string surface_for;  // region of the particles that slide along its surface; empty: none
-  std::string origin;       // file:line, for messages
+  Place at;                 // in the user's file, for messages
 };
 
 }  // namespace trunk

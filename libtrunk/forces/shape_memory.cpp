@@ -18,8 +18,10 @@ LocalFrame<double> frame_of(std::span<const Neighbour> neighbours, std::span<con
 void require_usable(const Surface& surface) {
   for (const auto& [vertex, neighbours] : surface.one_rings())
     if (neighbours.size() < 3 || neighbours.size() > max_valence)
-      throw InputError(fmt::format("surface '{}': particle {} has {} neighbours, expected 3 to {}",
-                                   surface.name(), vertex, neighbours.size(), max_valence));
+      throw InputError({},
+                       fmt::format("surface '{}': particle {} has {} neighbours", surface.name(), vertex,
+                                   neighbours.size()),
+                       fmt::format("3 to {}", max_valence));
 }
 
 /// Turns each ring so that it begins with the neighbour that lies most upward of the particle, then most

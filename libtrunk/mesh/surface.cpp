@@ -1,5 +1,7 @@
 #include "mesh/surface.hpp"
 
+#include <fmt/format.h>
+
 #include <map>
 
 #include "errors/input_error.hpp"
@@ -8,20 +10,23 @@ namespace trunk {
 namespace {
 
 std::string text(const Triangle& t) {
-  return "(" + std::to_string(t[0]) + " " + std::to_string(t[1]) + " " + std::to_string(t[2]) + ")";
+  return fmt::format("({} {} {})", t[0], t[1], t[2]);
+}
+
+[[noreturn]] void refuse(const std::string& surface, const std::string& found, const std::string& expected) {
+  throw InputError({}, fmt::format("surface '{}': {}", surface, found), expected);
 }
 
 void require_valid_indices(const std::string& name, const Triangle& t, int particles) {
   for (int i : t)
     if (i < 0 || i >= particles)
-      throw InputError("surface '" + name + "': triangle " + text(t) + " refers to particle " +
-                       std::to_string(i) + ", expected 0 to " + std::to_string(particles - 1));
+      refuse(name, fmt::format("triangle {} refers to particle {}", text(t), i),
+             fmt::format("0 to {}", particles - 1));
   if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0])
-    throw InputError("surface '" + name + "': triangle " + text(t) +
-                     " repeats a particle, expected three different ones");
+    refuse(name, fmt::format("triangle {} repeats a particle", text(t)), "three different ones");
 }
 
-/// For each vertex, the map from one neighbour to the next one counter-clockwise.
+/// For each vertex, a map from each neighbour to the next one counter-clockwise.
 using Fans = std::map<int, std::map<int, int>>;
 
 Fans fans_of(const std::string& name, std::span<const Triangle> triangles) {
@@ -32,10 +37,8 @@ Fans fans_of(const std::string& name, std::span<const Triangle> triangles) {
       const int from = t[static_cast<std::size_t>((corner + 1) % 3)];
       const int to = t[static_cast<std::size_t>((corner + 2) % 3)];
       if (!fans[vertex].emplace(from, to).second)
-        throw InputError("surface '" + name + "': edge " + std::to_string(vertex) + "-" +
-                         std::to_string(from) +
-                         " is used twice in the same direction; expected a manifold surface whose triangles "
-                         "are all counter-clockwise seen from outside");
+        refuse(name, fmt::format("edge {}-{} is used twice in the same direction", vertex, from),
+               "a manifold surface whose triangles are all counter-clockwise seen from outside");
     }
   return fans;
 }
@@ -47,13 +50,12 @@ std::vector<int> closed_ring(const std::string& name, int vertex, const std::map
     ring.push_back(at);
     const auto next = fan.find(at);
     if (next == fan.end())
-      throw InputError("surface '" + name + "': edge " + std::to_string(vertex) + "-" + std::to_string(at) +
-                       " belongs to one triangle only; expected a closed surface");
+      refuse(name, fmt::format("edge {}-{} belongs to one triangle only", vertex, at), "a closed surface");
     at = next->second;
   } while (at != ring.front() && ring.size() <= fan.size());
   if (ring.size() != fan.size())
-    throw InputError("surface '" + name + "': the triangles around particle " + std::to_string(vertex) +
-                     " do not form one closed fan; expected a manifold surface");
+    refuse(name, fmt::format("the triangles around particle {} do not form one closed fan", vertex),
+           "a manifold surface");
   return ring;
 }
 
@@ -61,7 +63,7 @@ std::vector<int> closed_ring(const std::string& name, int vertex, const std::map
 
 Surface::Surface(std::string name, std::vector<Triangle> triangles, int particles)
     : name_(std::move(name)), triangles_(std::move(triangles)) {
-  if (triangles_.empty()) throw InputError("surface '" + name_ + "' has no triangle");
+  if (triangles_.empty()) throw InputError({}, fmt::format("surface '{}' has no triangle", name_));
   for (const Triangle& t : triangles_) require_valid_indices(name_, t, particles);
   for (const auto& [vertex, fan] : fans_of(name_, triangles_))
     one_rings_.push_back({vertex, closed_ring(name_, vertex, fan)});

@@ -8,8 +8,12 @@
 namespace trunk {
 namespace {
 
-void require(bool condition, const std::string& text) {
-  if (!condition) throw InputError(text);
+void require(bool condition, const std::string& found, const std::string& expected = "") {
+  if (!condition) throw InputError({}, found, expected);
+}
+
+bool exists(int particle, const Model& m) {
+  return particle >= 0 && static_cast<std::size_t>(particle) < m.particles();
 }
 
 bool finite(const Vec3d& a) {
@@ -20,16 +24,15 @@ void require_particles(const Model& m) {
   const std::size_t n = m.particles();
   require(n > 0, "the model has no particle");
   require(m.mass.size() == n && m.damping_weight.size() == n && m.mobility.size() == n,
-          fmt::format("the model has {} positions, {} masses, {} damping weights and {} mobilities; expected "
-                      "one of each a particle",
-                      n, m.mass.size(), m.damping_weight.size(), m.mobility.size()));
+          fmt::format("the model has {} positions, {} masses, {} damping weights and {} mobilities", n,
+                      m.mass.size(), m.damping_weight.size(), m.mobility.size()),
+          "one of each a particle");
   for (std::size_t i = 0; i < n; ++i) {
     require(finite(m.rest[i]), fmt::format("particle {}: its rest position is not finite", i));
     require(std::isfinite(m.mass[i]) && m.mass[i] > 0,
-            fmt::format("particle {}: found a mass of {} kg, expected more than 0", i, m.mass[i]));
-    require(
-        std::isfinite(m.damping_weight[i]) && m.damping_weight[i] >= 0,
-        fmt::format("particle {}: found a damping weight of {}, expected 0 or more", i, m.damping_weight[i]));
+            fmt::format("particle {} has a mass of {} kg", i, m.mass[i]), "more than 0");
+    require(std::isfinite(m.damping_weight[i]) && m.damping_weight[i] >= 0,
+            fmt::format("particle {} has a damping weight of {}", i, m.damping_weight[i]), "0 or more");
   }
 }
 
@@ -41,50 +44,55 @@ void require_shape_memory(const Model& m) {
           "the shape memory's arrays differ in length");
   for (std::size_t r = 0; r < rings; ++r) {
     require(finite(s.rest_offset[r]),
-            fmt::format("particle {}: its neighbours enclose no area, so it has no local frame; expected a "
-                        "surface without flat or repeated triangles",
-                        s.rings.vertex[r]));
+            fmt::format("particle {}: its neighbours enclose no area, so it has no local frame",
+                        s.rings.vertex[r]),
+            "a surface without flat or repeated triangles");
     require(std::isfinite(s.stiffness_weight[r]) && s.stiffness_weight[r] >= 0,
-            fmt::format("particle {}: found a stiffness factor of {}, expected 0 or more", s.rings.vertex[r],
-                        s.stiffness_weight[r]));
+            fmt::format("particle {} has a stiffness factor of {}", s.rings.vertex[r], s.stiffness_weight[r]),
+            "0 or more");
   }
 }
 
-void require_references(const Model& m) {
-  const auto exists = [&](int i) { return i >= 0 && static_cast<std::size_t>(i) < m.particles(); };
+void require_fibres(const Model& m) {
   for (const Fibre& f : m.fibres) {
-    require(exists(f.insertion) && exists(f.origin) && f.insertion != f.origin,
-            fmt::format("fibre {}-{}: expected two different particles that exist", f.insertion, f.origin));
+    require(exists(f.insertion, m) && exists(f.origin, m) && f.insertion != f.origin,
+            fmt::format("fibre {}-{} does not join two particles", f.insertion, f.origin),
+            "two different particles that exist");
     require(std::isfinite(f.activity) && f.activity >= 0,
-            fmt::format("fibre {}-{}: found an activity of {}, expected 0 or more", f.insertion, f.origin,
-                        f.activity));
+            fmt::format("fibre {}-{} has an activity of {}", f.insertion, f.origin, f.activity), "0 or more");
   }
-  for (const Support& s : m.supports)
-    require(
-        exists(s.particle) && s.body >= 0 && static_cast<std::size_t>(s.body) < m.bodies.size() &&
-            m.bodies[static_cast<std::size_t>(s.body)].motion != RigidBody::Motion::free,
-        fmt::format("particle {} is supported by a body that does not exist or is free; expected a fixed or "
-                    "driven one",
-                    s.particle));
-  for (const Support& s : m.supports)
+}
+
+void require_supports(const Model& m) {
+  for (const Support& s : m.supports) {
+    require(exists(s.particle, m) && s.body >= 0 && static_cast<std::size_t>(s.body) < m.bodies.size() &&
+                m.bodies[static_cast<std::size_t>(s.body)].motion != RigidBody::Motion::free,
+            fmt::format("particle {} is supported by a body that does not exist or is free", s.particle),
+            "a fixed or driven one");
     require(finite(s.point) && finite(s.normal) && finite(s.curvature[0]) && finite(s.curvature[1]) &&
                 finite(s.curvature[2]),
-            fmt::format("the rigid surface at particle {} has no direction; expected muscle lines apart from "
-                        "each other",
-                        s.particle));
+            fmt::format("the rigid surface at particle {} has no direction", s.particle),
+            "muscle lines apart from each other");
+  }
+  require(std::isfinite(m.friction) && m.friction >= 0,
+          fmt::format("the friction coefficient is {}", m.friction), "0 or more");
+}
+
+void require_loads(const Model& m) {
   for (const MembraneEdge& e : m.membrane)
-    require(exists(e.a) && exists(e.b) && e.rest_length > 0 && e.stiffness >= 0,
-            fmt::format("membrane edge {}-{}: expected two particles apart and a stiffness of 0 or more", e.a,
-                        e.b));
+    require(exists(e.a, m) && exists(e.b, m) && e.rest_length > 0 && e.stiffness >= 0,
+            fmt::format("membrane edge {}-{} has a length of {} m and a stiffness of {} N/m", e.a, e.b,
+                        e.rest_length, e.stiffness),
+            "two particles apart and a stiffness of 0 or more");
   for (const PressureLoad& p : m.pressures)
     for (const Triangle& t : p.triangles)
-      require(exists(t[0]) && exists(t[1]) && exists(t[2]), "a pressure acts on particles that do not exist");
-  require(std::isfinite(m.friction) && m.friction >= 0,
-          fmt::format("found a friction coefficient of {}, expected 0 or more", m.friction));
+      require(exists(t[0], m) && exists(t[1], m) && exists(t[2], m),
+              "a pressure acts on particles that do not exist");
   for (const FocalForce& f : m.focal_forces)
-    require(exists(f.particle), fmt::format("a force acts on particle {}, which does not exist", f.particle));
+    require(exists(f.particle, m),
+            fmt::format("a force acts on particle {}, which does not exist", f.particle));
   for (const ImposedDisplacement& d : m.imposed_displacements)
-    require(exists(d.particle),
+    require(exists(d.particle, m),
             fmt::format("a displacement acts on particle {}, which does not exist", d.particle));
 }
 
@@ -137,14 +145,15 @@ HeldVolume held_volume(const Surface& surface, std::span<const Vec3d> rest) {
 void require_valid(const Model& model) {
   require_particles(model);
   require_shape_memory(model);
-  require_references(model);
+  require_fibres(model);
+  require_supports(model);
+  require_loads(model);
   require(model.abdomen.rest > 0,
-          fmt::format("the abdominal compartment encloses {:.4g} ml at rest; expected a positive volume "
-                      "(triangles counter-clockwise seen from outside)",
-                      ml_per_m3 * model.abdomen.rest));
+          fmt::format("the abdominal compartment encloses {:.4g} ml at rest", ml_per_m3 * model.abdomen.rest),
+          "a positive volume (triangles counter-clockwise seen from outside)");
   const double lung = volume_of_fans<double>(model.lung_fans, model.rest);
-  require(lung > 0,
-          fmt::format("the lung encloses {:.4g} ml at rest; expected a positive volume", ml_per_m3 * lung));
+  require(lung > 0, fmt::format("the lung encloses {:.4g} ml at rest", ml_per_m3 * lung),
+          "a positive volume (triangles counter-clockwise seen from outside)");
 }
 
 }  // namespace trunk

@@ -15,16 +15,17 @@ Eigen::Vector3d column(const Vec3d& a) {
 
 void require_carriable(const RigidBody& body, const Model& model) {
   if (body.particles.empty() && body.motion != RigidBody::Motion::fixed)
-    throw InputError(fmt::format("rigid body '{}' carries no particle", body.name));
+    throw InputError({}, fmt::format("rigid body '{}' carries no particle", body.name));
   for (int i : body.particles) {
     if (i < 0 || static_cast<std::size_t>(i) >= model.particles())
       throw InputError(
-          fmt::format("rigid body '{}' carries particle {}, which does not exist", body.name, i));
+          {}, fmt::format("rigid body '{}' carries particle {}, which does not exist", body.name, i));
     for (const RigidBody& other : model.bodies)
       if (std::find(other.particles.begin(), other.particles.end(), i) != other.particles.end())
-        throw InputError(
-            fmt::format("particle {} is carried by two rigid bodies, '{}' and '{}'; expected one", i,
-                        other.name, body.name));
+        throw InputError({},
+                         fmt::format("particle {} is carried by two rigid bodies, '{}' and '{}'", i,
+                                     other.name, body.name),
+                         "one");
   }
 }
 
@@ -45,10 +46,8 @@ void derive_inertia(const Model& model, RigidBody& body) {
   }
   const Eigen::Vector3d principal = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(inertia).eigenvalues();
   if (!(principal(0) > 1e-9 * principal(2)))
-    throw InputError(
-        fmt::format("the particles of the free rigid body '{}' lie on a line; expected three or more "
-                    "that do not",
-                    body.name));
+    throw InputError({}, fmt::format("the particles of the free rigid body '{}' lie on a line", body.name),
+                     "three or more that do not");
   const Eigen::Matrix3d inverse = inertia.inverse();
   body.centre = {centre(0), centre(1), centre(2)};
   for (int row = 0; row < 3; ++row)

@@ -113,7 +113,7 @@ InsertionLine::InsertionLine(std::span<const Vec3d> points, const Vec3d& centre,
   std::vector<Low> there;
   for (const auto& p : lowest_)
     if (p) there.push_back({turns(*p), p->z()});
-  if (there.empty()) throw InputError("a surface without points has no lower border");
+  if (there.empty()) throw InputError({}, "a surface without points has no lower border");
   const Curve curve = margin_of(there, highest_rise);
   curve_.assign(curve.coefficients.begin(), curve.coefficients.end());
   auto off = curve.off.begin();

@@ -137,7 +137,7 @@ std::vector<Vec3d> ElasticBalance::relaxed(std::vector<Vec3d> position,
   stiffness.setFromTriplets(triplets.begin(), triplets.end());
   const Eigen::SimplicialLDLT<Matrix> solver(stiffness);
   if (solver.info() != Eigen::Success)
-    throw InputError("a part of the trunk is held by nothing: its surfaces have to hang together");
+    throw InputError({}, "nothing holds a part of the trunk", "surfaces that hang together");
 
   double before = energy(position, actuators);
   for (int step = 0; step < steps; ++step) {

@@ -9,8 +9,8 @@
 #include "math/units.hpp"
 #include "mesh/volume.hpp"
 #include "registration/line_goals.hpp"
-#include "registration/target_surface.hpp"
 #include "registration/region_fits.hpp"
+#include "registration/target_surface.hpp"
 #include "registration/trunk_parts.hpp"
 
 namespace trunk {
@@ -57,7 +57,7 @@ std::vector<Shown> shown_by(const TrunkMesh& trunk, const SubjectMeasurements& t
   if (targets.ribs)
     add(*targets.ribs, "ribs", rib_side_of(trunk), Direction::target_to_part, Facing::opposed);
   if (shown.empty())
-    throw InputError("there is no surface to register to; expected a diaphragm, lungs, skin or ribs");
+    throw InputError({}, "there is no surface to register to", "a diaphragm, lungs, skin or ribs");
   return shown;
 }
 
@@ -69,8 +69,8 @@ LinearActuator landmark_actuator(const TrunkMesh& trunk, const std::string& name
     std::string known;
     for (const auto& [landmark, its] : trunk.landmarks)
       if (!its.empty() && its.size() <= 3) known += (known.empty() ? "" : ", ") + landmark;
-    throw InputError(fmt::format("landmark '{}' has {} particles; expected one of 1 to 3: lung_top, {}", name,
-                                 particles.size(), known));
+    throw InputError({}, fmt::format("landmark '{}' has {} particles", name, particles.size()),
+                     fmt::format("one of 1 to 3 particles: lung_top, {}", known));
   }
   LinearActuator actuator{{particles[0], particles[0], particles[0]}, {}, place, as_of_a_surface};
   for (std::size_t k = 0; k < particles.size(); ++k) {
@@ -96,15 +96,15 @@ void require_similar(const Similarity& similarity) {
   constexpr double most_scale = 3.0, most_turn = 60.0 * rad_per_degree;
   if (!(similarity.scale < most_scale && similarity.scale > 1.0 / most_scale))
     throw InputError(
-        fmt::format("the surface asks for a trunk {:.3g} times the size of this one, expected {:.2g} to "
-                    "{:.2g} times: is its unit "
-                    "right, and is it what the option says?",
-                    similarity.scale, 1.0 / most_scale, most_scale));
+        {}, fmt::format("the surface needs a trunk {:.3g} times the size of this one", similarity.scale),
+        fmt::format("{:.2g} to {:.2g} times", 1.0 / most_scale, most_scale),
+        "check the unit of the surface, and that the surface is what the option says");
   if (!(similarity.angle() < most_turn))
-    throw InputError(fmt::format(
-        "the surface asks for a trunk turned by {:.0f} degrees, expected less than {:.0f}: are its "
-        "axes right, and is it what the option says?",
-        degrees_per_rad * similarity.angle(), degrees_per_rad * most_turn));
+    throw InputError({},
+                     fmt::format("the surface needs a trunk turned by {:.0f} degrees",
+                                 degrees_per_rad * similarity.angle()),
+                     fmt::format("less than {:.0f}", degrees_per_rad * most_turn),
+                     "check the axes of the surface, and that the surface is what the option says");
 }
 
 Volumes volumes_of(const TrunkMesh& mesh) {
@@ -138,11 +138,11 @@ void size_lung(double wanted, const TrunkMesh& before, TrunkMesh& mesh) {
   TrunkMesh sized = raised((wanted - now) / slope);
   const double domes = highest(mesh, mesh.named("central_tendon"));
   if (!(slope > 0.0 && highest(sized, mesh.named("lung_top")) > domes))
-    throw InputError(
-        fmt::format("a lung volume of {:.0f} ml leaves no room over the domes of this diaphragm; expected "
-                    "more: is it the volume at "
-                    "the end of expiration, and is the unit of the surface right?",
-                    ml_per_m3 * wanted));
+    throw InputError({},
+                     fmt::format("a lung volume of {:.0f} ml leaves no room over the domes of this diaphragm",
+                                 ml_per_m3 * wanted),
+                     "more",
+                     "check that it is the volume at the end of expiration, and the unit of the surface");
   mesh = std::move(sized);
 }
 

@@ -1,5 +1,7 @@
 #include "surface/axes.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -19,9 +21,10 @@ Numbers numbers_of(const Vec3d& a) {
 constexpr std::string_view trunk_letters = "RAS", opposite_letters = "LPI";
 
 [[noreturn]] void refuse(std::string_view text) {
-  throw InputError("axes '" + std::string(text.substr(0, 40)) +
-                   "' found; expected three letters, one of R/L, A/P and S/I each, that say where x, y and z "
-                   "of the file grow (LPS), or its coordinates that are right, forward and up (x,-z,y)");
+  throw InputError(
+      {}, fmt::format("axes '{}' found", text.substr(0, 40)),
+      "three letters, one of R/L, A/P and S/I each, that say to which side x, y and z of the file "
+      "grow (LPS), or the coordinates of the file that are right, forward and up (x,-z,y)");
 }
 
 /// Points on edges of one triangle only.

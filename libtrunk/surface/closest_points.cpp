@@ -1,9 +1,10 @@
 #include "surface/closest_points.hpp"
 
+#include <fmt/format.h>
+
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
-#include <string>
 #include <thread>
 #include <unsupported/Eigen/BVH>
 #include <vector>
@@ -109,7 +110,7 @@ struct ClosestPoints::Tree {
 };
 
 ClosestPoints::ClosestPoints(std::span<const Vec3d> points, std::span<const Triangle> triangles) {
-  if (triangles.empty()) throw InputError("a surface without triangles has no closest point");
+  if (triangles.empty()) throw InputError({}, "a surface without triangles has no closest point");
   auto tree = std::make_unique<Tree>();
   std::vector<int> indices;
   std::vector<Box> boxes;
@@ -118,8 +119,8 @@ ClosestPoints::ClosestPoints(std::span<const Vec3d> points, std::span<const Tria
     for (std::size_t i = 0; i < 3; ++i) {
       const auto point = static_cast<std::size_t>(triangle[i]);
       if (triangle[i] < 0 || point >= points.size())
-        throw InputError("a triangle has corner " + std::to_string(triangle[i]) + ", expected a point 0 to " +
-                         std::to_string(points.size()) + " - 1");
+        throw InputError({}, fmt::format("a triangle has corner {}", triangle[i]),
+                         points.empty() ? "points" : fmt::format("a point 0 to {}", points.size() - 1));
       corners[i] = points[point];
     }
     indices.push_back(static_cast<int>(indices.size()));

@@ -146,8 +146,12 @@ TEST_CASE("A force on a region moves it, an unknown region is named", "[unit][an
   Scenario scenario = shipped("healthy");
   scenario.parameters.muscle = 0.0;
   scenario.time.duration_s = 0.3;
-  scenario.loads = {
-      {RegionLoad::Kind::force, "central_tendon", {0, 0, -1}, {}, PiecewiseLinear({{0.0, 2.0}}), "here:7"}};
+  scenario.loads = {{RegionLoad::Kind::force,
+                     "central_tendon",
+                     {0, 0, -1},
+                     {},
+                     PiecewiseLinear({{0.0, 2.0}}),
+                     {"here", 7}}};
   const Trunk trunk = make_trunk(scenario);
   CHECK(trunk.model.focal_forces.size() == 19);
   const BreathRun run = run_breath(trunk, scenario, 0);

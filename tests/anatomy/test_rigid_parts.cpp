@@ -28,7 +28,7 @@ RigidPart swinging_half(const Scenario& scenario, const std::string& side, doubl
   part.imposed.point = mesh.rest[at(mesh.named("lung_top").front())];
   part.imposed.axis = {0, 1, 0};
   part.imposed.angle = PiecewiseLinear({{0.0, 0.0}, {2.0, outward}, {4.0, 0.0}});
-  part.origin = side;
+  part.at = {side};
   return part;
 }
 
@@ -65,7 +65,7 @@ std::string message_about(Scenario scenario, std::vector<RigidPart> parts,
 }
 
 RigidPart part(const std::string& region, RigidBody::Motion motion, const std::string& surface_for = "") {
-  return {region, motion, {}, surface_for, "own.toml:7"};
+  return {region, motion, {}, surface_for, {"own.toml", 7}};
 }
 
 }  // namespace
@@ -219,7 +219,7 @@ TEST_CASE("Rigid parts that cannot be are refused with their place", "[unit][ana
   pull.region = "central_tendon";
   pull.direction = pull.axes = {0, 0, 1};
   pull.magnitude = PiecewiseLinear({{0.0, 0.001}});
-  pull.origin = "own.toml:7";
+  pull.at = {"own.toml", 7};
   refused({part("central_tendon", free)}, "moving rigid part", {pull});
   CHECK(message_about(healthy, {}, {pull}) == "no error");
   CHECK(message_about(healthy, {part("central_tendon", fixed)}, {pull}) == "no error");

@@ -29,19 +29,19 @@ inline Scenario laden(const std::string& name) {
   Scenario scenario = shipped(name);
   scenario.abdominal_volume = PiecewiseLinear({{0.0, 1.0}, {1.0, 1.01}}, 1.0);
   scenario.loads = {
-      {RegionLoad::Kind::force, "abdominal_wall", {0, -1, 0}, {}, PiecewiseLinear({{0.0, 1.0}}), "here"},
-      {RegionLoad::Kind::pressure, "abdominal_wall", {}, {}, PiecewiseLinear({{0.0, 100.0}}), "here"},
+      {RegionLoad::Kind::force, "abdominal_wall", {0, -1, 0}, {}, PiecewiseLinear({{0.0, 1.0}}), {"here"}},
+      {RegionLoad::Kind::pressure, "abdominal_wall", {}, {}, PiecewiseLinear({{0.0, 100.0}}), {"here"}},
       {RegionLoad::Kind::displacement,
        "pelvis",
        {0, 0, 1},
        {0, 0, 1},
        PiecewiseLinear({{0.0, 0.0}, {1.0, 0.001}}),
-       "here"}};
+       {"here"}}};
   scenario.tissue.membrane_stiffness = 10.0;
   scenario.tissue.rib_friction = 0.3;
-  RigidPart half{"rib_cage_right", RigidBody::Motion::driven, {}, "", "here"};
+  RigidPart half{"rib_cage_right", RigidBody::Motion::driven, {}, "", {"here"}};
   half.imposed = {{0, 0, 0.5}, {0, -1, 0}, PiecewiseLinear({{0.0, 0.0}, {1.0, 0.02}}), {}, {}};
-  scenario.rigid = {half, {"dome_top_left", RigidBody::Motion::free, {}, "", "here"}};
+  scenario.rigid = {half, {"dome_top_left", RigidBody::Motion::free, {}, "", {"here"}}};
   return scenario;
 }
 

@@ -1,8 +1,5 @@
 #include "scenarios/build_trunk.hpp"
 
-#include <algorithm>
-#include <string_view>
-
 #include "dynamics/auto_time_step.hpp"
 #include "errors/input_error.hpp"
 
@@ -20,11 +17,10 @@ Trunk assemble_trunk(const ScenarioFile& file) {
   } catch (const InputErrors&) {
     throw;  // of loads, which name their own lines
   } catch (const InputError& error) {
-    const auto is_from = [&](const auto& it) {
-      return std::string_view(error.what()).starts_with(it.origin + ": ");
-    };
-    if (std::ranges::any_of(file.scenario.rigid, is_from)) throw;  // it names its own line
-    throw InputError(file.scenario.mesh ? file.scenario.mesh_file : file.path, 0, error.what());
+    if (!error.mistake().at.file.empty()) throw;  // of a rigid part, which names its own line
+    Mistake mistake = error.mistake();
+    mistake.at = {file.scenario.mesh ? file.scenario.mesh_file : file.path};
+    throw InputError(std::move(mistake));
   }
 }
 
@@ -32,7 +28,9 @@ void require_stable(const ScenarioFile& file, const Trunk& trunk) {
   try {
     require_stable(file.scenario, trunk);
   } catch (const InputError& error) {
-    throw InputError(file.where("time.dt_ms"), 0, error.what());
+    Mistake mistake = error.mistake();
+    mistake.at = {file.where("time.dt_ms")};
+    throw InputError(std::move(mistake));
   }
 }
 

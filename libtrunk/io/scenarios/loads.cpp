@@ -22,7 +22,7 @@ RegionLoad load_of(const toml::table& table, const LoadKey& keys, const TomlPlac
   const std::string kind(keys.table);
   RegionLoad load;
   load.kind = keys.kind;
-  load.origin = place.name();
+  load.at = {place.file, place.line};
   bool has_axes = false;
   const auto read_key = [&](const std::string& key, const toml::node& value, const TomlPlace& at) {
     if (key == "region" && value.is_string()) {

@@ -168,7 +168,7 @@ class Reader {
 /// Forgets the trunk that was read, with the rigid parts it brought.
 void drop_mesh(ScenarioFile& file) {
   file.scenario.mesh.reset();
-  std::erase_if(file.scenario.rigid, [&](const RigidPart& part) { return part.origin == file.mesh_read; });
+  std::erase_if(file.scenario.rigid, [&](const RigidPart& part) { return part.at == Place{file.mesh_read}; });
   file.mesh_read.clear();
 }
 
@@ -176,7 +176,7 @@ void drop_mesh(ScenarioFile& file) {
 void adopt(TrunkFile trunk, ScenarioFile& file) {
   Scenario& scenario = file.scenario;
   file.mesh_read = scenario.mesh_file;
-  for (RigidPart& part : trunk.rigid) part.origin = file.mesh_read;
+  for (RigidPart& part : trunk.rigid) part.at = {file.mesh_read};
   scenario.mesh = std::make_shared<const TrunkMesh>(std::move(trunk.mesh));
   for (RigidPart& part : trunk.rigid)
     if (std::none_of(scenario.rigid.begin(), scenario.rigid.end(),

@@ -23,7 +23,7 @@ Vec3d in_mm(const Vec3d& a) {
 
 RigidPart rigid_part_of(const toml::table& table, const TomlPlace& place) {
   RigidPart part;
-  part.origin = place.name();
+  part.at = {place.file, place.line};
   part.imposed.axis = {0.0, 0.0, 1.0};
   bool has_axis = false, has_point = false;
   const auto read_key = [&](const std::string& key, const toml::node& value, const TomlPlace& at) {

@@ -185,7 +185,7 @@ class TrunkReader {
     part.region = name;
     part.motion = *motion == "free" ? RigidBody::Motion::free : RigidBody::Motion::fixed;
     if (const std::string* facing = pml::find(attributes, "surfaceFor")) part.surface_for = *facing;
-    part.origin = file_;
+    part.at = {file_};
     result_.rigid.push_back(std::move(part));
   }
 

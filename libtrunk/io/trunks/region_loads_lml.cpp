@@ -34,7 +34,7 @@ std::string text_of(const std::vector<pml::Target>& targets) {
 RegionLoad region_load(const pml::Load& load, const std::string& file) {
   const auto fail = [&](const std::string& text) { throw InputError(file, load.line, text); };
   RegionLoad result;
-  result.origin = fmt::format("{}:{}", file, load.line);
+  result.at = {file, load.line};
   switch (load.type) {
     case pml::Load::Type::translation:
       result.kind = Kind::displacement;

@@ -66,7 +66,7 @@ events_mm = [[1, 0], [2, 5]]
   CHECK(s.rigid[0].motion == Motion::fixed);  // the default
   CHECK(s.rigid[0].surface_for.empty());
   CHECK(s.rigid[1].motion == Motion::free);
-  CHECK_THAT(s.rigid[1].origin, Catch::Matchers::EndsWith("own.toml:5"));
+  CHECK_THAT(s.rigid[1].at.text(), Catch::Matchers::EndsWith("own.toml:5"));
   const RigidPart& half = s.rigid[2];
   CHECK(half.motion == Motion::driven);
   CHECK(half.surface_for == "zone_of_apposition_right");

@@ -80,7 +80,7 @@ TEST_CASE("Each kind of load is read in SI units", "[unit][io]") {
     CHECK(read.region == "pelvis");
     CHECK(norm(read.direction - Vec3d{2, 0, -1}) == 0.0);
     CHECK(read.magnitude(0.0) == Approx(si).epsilon(1e-15));
-    CHECK_THAT(read.origin, Catch::Matchers::EndsWith("some.lml:2"));
+    CHECK_THAT(read.at.text(), Catch::Matchers::EndsWith("some.lml:2"));
   };
   is("Translation", "", Kind::displacement, 1e-3);
   is("Translation", "mm", Kind::displacement, 1e-3);
@@ -246,7 +246,7 @@ TEST_CASE("The published compression is read as loads of regions", "[unit][io]")
   CHECK(norm(loads[0].magnitude(1.0) * loads[0].direction) == 0.0);  // held
   CHECK(norm(loads[1].magnitude(5.0) * loads[1].direction - Vec3d{0, 0, 5e-3}) < 1e-17);
   CHECK(loads[1].magnitude(20.0) == Approx(10e-3));
-  CHECK_THAT(loads[1].origin, Contains("compression-12.lml:17"));
+  CHECK_THAT(loads[1].at.text(), Contains("compression-12.lml:17"));
 }
 
 TEST_CASE("What loads cannot do is refused with file and line", "[unit][io]") {

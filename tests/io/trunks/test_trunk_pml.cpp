@@ -158,7 +158,7 @@ TEST_CASE("Rigid parts travel with the trunk, but for driven ones", "[unit][io]"
     CHECK(part.region == expected.region);
     CHECK(part.motion == expected.motion);
     CHECK(part.surface_for == expected.surface_for);
-    CHECK(part.origin == "t.pml");
+    CHECK(part.at == Place{"t.pml"});
   }
   s.rigid.pop_back();
   const Scenario again = from_pml(s, trunk_pml(s));
