@@ -5,7 +5,7 @@
 #include "errors/input_error.hpp"
 #include "files/read_file.hpp"
 #include "files/replace_file.hpp"
-#include "results/read/summary.hpp"
+#include "results/read/results_kind.hpp"
 
 namespace trunk {
 namespace {
@@ -32,7 +32,7 @@ CohortFolder::CohortFolder(fs::path path, const CohortList& list, bool force) : 
   std::error_code error;
   fs::create_directory(path_, error);
   if (error) throw InputError(path_.string(), 0, "cannot be made: " + error.message());
-  require_writable_target(path_ / "cohort.list", true);
+  require_writable_output(path_ / "cohort.list", true);
   store(path_ / "cohort.list", list.text);
 }
 

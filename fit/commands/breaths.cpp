@@ -19,7 +19,7 @@ struct BreathsRequest {
 Exit breaths_command(const Common& common, const BreathsRequest& request) {
   if (!request.csv.empty()) {
     require_apart({request.trace}, {request.csv});
-    require_writable_target(request.csv, common.force);
+    require_writable_output(request.csv, common.force);
   }
   const Segmentation s = segment_breaths(read_signal(request.trace, request.signal), request.selection);
   if (!request.csv.empty()) {

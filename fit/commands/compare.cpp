@@ -136,7 +136,7 @@ void prepare_output(const Common& common, const CompareRequest& request) {
     throw InputError(request.output, 0,
                      "cannot tell what to write, expected a name that ends in .csv or .vtp");
   require_apart({request.run, request.surface}, {request.output});
-  require_writable_target(request.output, common.force);
+  require_writable_output(request.output, common.force);
 }
 
 Exit compare_command(const Common& common, const CompareRequest& request) {

@@ -4,7 +4,7 @@
 #include "commands/text/comparison_text.hpp"
 #include "errors/input_error.hpp"
 #include "results/read/read_records.hpp"
-#include "results/read/summary.hpp"
+#include "results/read/results_kind.hpp"
 
 namespace trunk {
 namespace {

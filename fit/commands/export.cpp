@@ -8,7 +8,8 @@
 #include "exports/vtk_files.hpp"
 #include "files/replace_file.hpp"
 #include "results/read/read_records.hpp"
-#include "results/read/summary.hpp"
+#include "results/read/results_kind.hpp"
+#include "results/read/stored_run.hpp"
 #include "results/write/vtkhdf_view.hpp"
 #include "scenarios/read_scenario.hpp"
 #include "trunks/read_trunk_pml.hpp"
@@ -59,7 +60,7 @@ std::vector<std::string> write_all(const Common& common, const std::string& sour
   for (const fs::path& path : paths) {
     make_folder(path.parent_path());
     require_apart({source}, {path});
-    require_writable_target(path, common.force);
+    require_writable_output(path, common.force);
   }
   for (std::size_t i = 0; i < files.size(); ++i)
     replace_file(paths[i], std::as_bytes(std::span(files[i].text)));

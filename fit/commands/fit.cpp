@@ -13,7 +13,7 @@ void require_results_free(const Common& common, const FitRequest& request, const
   std::vector<std::filesystem::path> outputs = {request.output};
   if (!request.save_scenario.empty()) outputs.emplace_back(request.save_scenario);
   require_apart(job.inputs(), outputs);
-  for (const auto& output : outputs) require_writable_target(output, common.force);
+  for (const auto& output : outputs) require_writable_output(output, common.force);
 }
 
 Execution watched(unsigned threads) {

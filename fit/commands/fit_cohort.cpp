@@ -76,7 +76,7 @@ class CohortFit {
       return *known;
     }
     require_apart(job.inputs(), {request.output, folder_.summary_file(subject.name)});
-    require_writable_target(request.output, true);
+    require_writable_output(request.output, true);
     const FitOutcome outcome = job.carry_out();
     Json json = fit_json(job.fit(), outcome);
     notes.insert(notes.begin(), job.notes().begin(), job.notes().end());

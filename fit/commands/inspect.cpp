@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include "commands/commands.hpp"
-#include "results/inspect/print_description.hpp"
+#include "results/inspect/print_inspection.hpp"
 
 namespace trunk {
 
@@ -12,7 +12,7 @@ void add_inspect(CLI::App& app, Common& common, Run& run) {
   command->add_flag("--json", common.json, "print one JSON object");
   command->callback([&common, &run, path] {
     run = [&common, path] {
-      fmt::print("{}\n", common.json ? describe_file_json(*path) : describe_file(*path));
+      fmt::print("{}\n", common.json ? inspection_json(*path) : inspection_text(*path));
       return Exit::done;
     };
   });

@@ -76,7 +76,7 @@ class SubjectReader {
   MeasuredSurface surface(const std::string& file) {
     SurfaceOptions options = request_.file;
     if (frame_) options.axes_of_others = frame_->axes.letters();
-    SurfaceFile read = read_surface(file, options);
+    ImportedSurface read = read_surface(file, options);
     for (const std::string& note : read.notes) notes_.push_back(file + ": " + note);
     files_.push_back(file);
     const double metres = read.unit == "m" ? 1.0 : read.unit == "cm" ? 1e-2 : 1e-3;
@@ -159,8 +159,8 @@ Exit register_command(const Common& common, RegisterRequest request) {
   std::vector<fs::path> inputs = scenario.inputs;
   inputs.insert(inputs.end(), reader.files().begin(), reader.files().end());
   require_apart(inputs, {pml, toml});
-  require_writable_target(pml, common.force);
-  require_writable_target(toml, common.force);
+  require_writable_output(pml, common.force);
+  require_writable_output(toml, common.force);
 
   const Registration found = register_trunk(trunk, targets, [](int n, int of) {
     print_progress(fmt::format("register: iteration {} of {}", n + 1, of));

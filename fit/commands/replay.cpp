@@ -5,7 +5,7 @@
 #include "records/provenance.hpp"
 #include "records/run_record.hpp"
 #include "results/read/read_records.hpp"
-#include "results/read/summary.hpp"
+#include "results/read/results_kind.hpp"
 #include "scenarios/build_trunk.hpp"
 
 namespace trunk {

@@ -18,7 +18,7 @@ struct ReportRequest {
 Exit report_command(const Common& common, const ReportRequest& request) {
   const std::vector<std::filesystem::path> files(request.files.begin(), request.files.end());
   require_apart(files, {request.output});
-  require_writable_target(request.output, common.force);
+  require_writable_output(request.output, common.force);
   std::optional<SurfaceBeside> beside;
   if (!request.beside.surface.empty()) {
     require_apart({request.beside.surface}, {request.output});

@@ -6,7 +6,7 @@
 #include "files/replace_file.hpp"
 #include "records/provenance.hpp"
 #include "records/run_record.hpp"
-#include "results/read/summary.hpp"
+#include "results/read/stored_run.hpp"
 #include "results/write/write_run.hpp"
 #include "scenarios/build_trunk.hpp"
 
@@ -59,7 +59,7 @@ Exit simulate_command(const Common& common, const SimulateRequest& request) {
   if (request.frame_every_ms) file.scenario.frame_every_s = 1e-3 * *request.frame_every_ms;
   require_apart(file.inputs, {request.output});
   const Trunk trunk = build_timed_trunk(file);
-  require_writable_target(request.output, common.force);
+  require_writable_output(request.output, common.force);
   const BreathRun run = run_breath(trunk, file.scenario, frame_stride(file.scenario));
   write_run(request.output, run_record(file, trunk, run, {}, provenance_of(file.inputs, common.argv)));
 

@@ -7,7 +7,7 @@
 
 #include "errors/input_error.hpp"
 #include "records/provenance.hpp"
-#include "results/read/summary.hpp"
+#include "results/read/stored_run.hpp"
 #include "scenarios/build_trunk.hpp"
 #include "trunks/read_trunk_pml.hpp"
 

@@ -141,7 +141,7 @@ class Running {
 
 }  // namespace
 
-SweepRow row_of(std::size_t run, const RunSummary& s) {
+SweepRow row_of(std::size_t run, const StoredRun& s) {
   return {run,
           s.status,
           s.status == "completed" ? "" : s.message,

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "results/read/summary.hpp"
+#include "results/read/stored_run.hpp"
 #include "results/records.hpp"
 #include "scenarios/read_scenario.hpp"
 #include "sweep/design.hpp"
@@ -23,7 +23,7 @@ struct FinishedRun {
 };
 
 /// The row of a run that is on file.
-SweepRow row_of(std::size_t run, const RunSummary& summary);
+SweepRow row_of(std::size_t run, const StoredRun& summary);
 
 /// The row of a run that did not end.
 SweepRow failed_row(std::size_t run, const std::string& status, const std::string& error);

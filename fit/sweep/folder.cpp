@@ -45,7 +45,7 @@ void make_folder(const fs::path& path) {
     fs::create_directories(path / part, error);
     if (error) throw InputError(path.string(), 0, "cannot be made: " + error.message());
   }
-  require_writable_target(path / "fingerprint", true);
+  require_writable_output(path / "fingerprint", true);
 }
 
 fs::path without_slash(fs::path path) {

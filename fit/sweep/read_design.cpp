@@ -6,7 +6,7 @@
 #include "errors/input_error.hpp"
 #include "files/read_file.hpp"
 #include "records/run_record.hpp"
-#include "results/read/summary.hpp"
+#include "results/read/stored_run.hpp"
 #include "scenarios/toml_values.hpp"
 #include "sweep/design.hpp"
 #include "sweep/sampling.hpp"

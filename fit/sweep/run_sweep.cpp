@@ -5,6 +5,7 @@
 
 #include "parallel/workers.hpp"
 #include "records/provenance.hpp"
+#include "results/read/results_kind.hpp"
 #include "results/write/write_run.hpp"
 #include "sweep/simulator.hpp"
 
@@ -43,7 +44,7 @@ RunStates states_in(const SweepDesign& design, const SweepFolder& folder, const 
     const auto file = folder.run_file(run);
     if (has_file[run] && !is_complete(file)) states.reopen(run);
     if (design.store == SweepDesign::Store::full && states[run] == RunState::open && is_complete(file)) {
-      const SweepRow row = row_of(run, read_run_summary(file));
+      const SweepRow row = row_of(run, read_stored_run(file));
       journal.append({&row, 1});
       states.note(row);
     }

@@ -25,18 +25,18 @@ fs::path folder_of(const fs::path& path) {
   return path.has_parent_path() ? path.parent_path() : fs::path(".");
 }
 
-/// A new file beside the target, removed again unless it is given the target's name.
+/// A new file beside the output. It is removed again unless it takes the output's name.
 class PartFile {
  public:
-  explicit PartFile(const fs::path& target) : target_(target) {
+  explicit PartFile(const fs::path& output) : output_(output) {
     // Process numbers are not unique on a shared file system: the random part keeps nodes apart.
     std::random_device random;
     do {
-      part_ = target;
+      part_ = output;
       part_ += "." + std::to_string(getpid()) + "-" + std::to_string(random()) + ".part";
       descriptor_ = open(part_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     } while (descriptor_ < 0 && errno == EEXIST);
-    if (descriptor_ < 0) fail(target_, "cannot create a file in this folder", errno);
+    if (descriptor_ < 0) fail(output_, "cannot create a file in this folder", errno);
   }
   ~PartFile() {
     if (descriptor_ >= 0) close(descriptor_);
@@ -49,20 +49,20 @@ class PartFile {
     while (!bytes.empty()) {
       const ssize_t written = write(descriptor_, bytes.data(), bytes.size());
       if (written < 0 && errno == EINTR) continue;
-      if (written < 0) fail(target_, "cannot be written", errno);
+      if (written < 0) fail(output_, "cannot be written", errno);
       bytes = bytes.subspan(static_cast<std::size_t>(written));
     }
   }
 
   void take_the_name() {
-    if (fsync(descriptor_) != 0) fail(target_, "cannot be written", errno);
-    if (close(std::exchange(descriptor_, -1)) != 0) fail(target_, "cannot be written", errno);
-    if (rename(part_.c_str(), target_.c_str()) != 0) fail(target_, "cannot be replaced", errno);
+    if (fsync(descriptor_) != 0) fail(output_, "cannot be written", errno);
+    if (close(std::exchange(descriptor_, -1)) != 0) fail(output_, "cannot be written", errno);
+    if (rename(part_.c_str(), output_.c_str()) != 0) fail(output_, "cannot be replaced", errno);
     part_.clear();
   }
 
  private:
-  fs::path target_, part_;
+  fs::path output_, part_;
   int descriptor_ = -1;
 };
 
@@ -76,14 +76,14 @@ void synchronise_folder(const fs::path& folder) {
 
 }  // namespace
 
-void require_writable_target(const fs::path& path, bool force) {
+void require_writable_output(const fs::path& path, bool force) {
   const auto refuse = [&path](const std::string& text) { throw InputError(path.string(), 0, text); };
   if (!path.has_filename()) refuse("is not the name of a file, expected one to write to");
   std::error_code error;
-  const fs::file_status target = fs::status(path, error);
-  if (fs::exists(target)) {
+  const fs::file_status existing = fs::status(path, error);
+  if (fs::exists(existing)) {
     // A rename would replace even a device.
-    if (!fs::is_regular_file(target)) refuse("exists and is not a file, choose another name");
+    if (!fs::is_regular_file(existing)) refuse("exists and is not a file, choose another name");
     if (!force) refuse("exists already; use --force to replace it, or choose another name");
   }
   const fs::file_status folder = fs::status(folder_of(path), error);
@@ -94,8 +94,8 @@ void require_writable_target(const fs::path& path, bool force) {
 
 void replace_file(const fs::path& path, std::span<const std::byte> bytes, std::span<const std::byte> more) {
   std::error_code error;
-  const fs::file_status target = fs::status(path, error);
-  if (fs::exists(target) && !fs::is_regular_file(target)) {
+  const fs::file_status existing = fs::status(path, error);
+  if (fs::exists(existing) && !fs::is_regular_file(existing)) {
     throw InputError(path.string(), 0, "exists and is not a file, it cannot be replaced");
   }
   PartFile part(path);

@@ -10,7 +10,7 @@ namespace trunk {
 /// To be called before any long work: makes sure that a result can be stored at `path` later.
 /// Throws InputError when the file exists (unless `force`) or is not a regular file, or when its
 /// folder is missing, not a folder or not writable. A file is created there for trial and removed.
-void require_writable_target(const std::filesystem::path& path, bool force);
+void require_writable_output(const std::filesystem::path& path, bool force);
 
 /// Stores `bytes`, and `more` behind them, at `path`, whole or not at all: written to a new file beside it
 /// (its name ends in

@@ -21,7 +21,7 @@ struct SurfaceRequest {
 CLI::Option* add_surface_request(CLI::App& command, SurfaceRequest& request);
 
 struct SurfaceAnswer {
-  SurfaceFile file;  // without its surface, which is in `beside`
+  ImportedSurface file;  // without its surface, which is in `beside`
   SurfaceBeside beside;
 };
 

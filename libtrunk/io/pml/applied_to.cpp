@@ -24,15 +24,15 @@ bool looks_numeric(std::string_view item) {
   return item.find_first_not_of("0123456789-+. \t\r\n") == std::string_view::npos;
 }
 
-std::optional<IndexRange> range_of(std::string_view item) {
+std::optional<AtomRange> range_of(std::string_view item) {
   const std::size_t dash = item.find('-');
   const auto first = whole_number(item.substr(0, dash));
   const auto last = dash == std::string_view::npos ? first : whole_number(item.substr(dash + 1));
   if (!first || !last) return std::nullopt;
-  return IndexRange{*first, *last};
+  return AtomRange{*first, *last};
 }
 
-Target target_of(std::string_view item, const XmlDocument& xml, pugi::xml_node at) {
+LoadTarget load_target_of(std::string_view item, const XmlDocument& xml, pugi::xml_node at) {
   if (item == "*") return AllAtoms{};
   if (!item.empty() && !looks_numeric(item)) return ComponentName{std::string(item)};
   const auto range = range_of(item);
@@ -47,18 +47,17 @@ Target target_of(std::string_view item, const XmlDocument& xml, pugi::xml_node a
   return *range;
 }
 
-void check_length(const std::vector<Target>& targets, const XmlDocument& xml, pugi::xml_node at) {
+void check_length(const std::vector<LoadTarget>& targets, const XmlDocument& xml, pugi::xml_node at) {
   std::size_t sum = 0;
-  for (const Target& target : targets)
-    if (const IndexRange* const range = std::get_if<IndexRange>(&target))
-      sum += range->last - range->first + 1;
+  for (const LoadTarget& target : targets)
+    if (const AtomRange* const range = std::get_if<AtomRange>(&target)) sum += range->last - range->first + 1;
   if (sum > most_indices)
     xml.fail(at, fmt::format("appliedTo lists {} atoms, expected at most {}; shorten the ranges", sum,
                              most_indices));
 }
 
 struct TargetText {
-  std::string operator()(const IndexRange& range) const {
+  std::string operator()(const AtomRange& range) const {
     return range.first == range.last ? fmt::format("{}", range.first)
                                      : fmt::format("{}-{}", range.first, range.last);
   }
@@ -68,20 +67,20 @@ struct TargetText {
 
 }  // namespace
 
-std::vector<Target> read_targets(const XmlDocument& xml, pugi::xml_node applied_to) {
+std::vector<LoadTarget> read_load_targets(const XmlDocument& xml, pugi::xml_node applied_to) {
   const std::string text = xml.text(applied_to);
   if (text.empty())
     xml.fail(applied_to,
              "appliedTo is empty, expected indexes as 0-3,7, names of components or *; fill it in");
-  std::vector<Target> targets;
-  for (const std::string_view item : split(text)) targets.push_back(target_of(item, xml, applied_to));
+  std::vector<LoadTarget> targets;
+  for (const std::string_view item : split(text)) targets.push_back(load_target_of(item, xml, applied_to));
   check_length(targets, xml, applied_to);
   return targets;
 }
 
-std::string text_of(const std::vector<Target>& targets) {
+std::string text_of(const std::vector<LoadTarget>& targets) {
   std::vector<std::string> texts;
-  for (const Target& target : targets) texts.push_back(std::visit(TargetText{}, target));
+  for (const LoadTarget& target : targets) texts.push_back(std::visit(TargetText{}, target));
   return fmt::format("{}", fmt::join(texts, ","));
 }
 

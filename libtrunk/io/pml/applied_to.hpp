@@ -13,9 +13,9 @@ namespace trunk::pml {
 inline constexpr std::size_t most_indices = 10'000'000;
 
 /// "0-3,7,9-11", names of components, or "*", separated by commas. Throws InputError at the element.
-std::vector<Target> read_targets(const XmlDocument& xml, pugi::xml_node applied_to);
+std::vector<LoadTarget> read_load_targets(const XmlDocument& xml, pugi::xml_node applied_to);
 
 /// The text that reads so.
-std::string text_of(const std::vector<Target>& targets);
+std::string text_of(const std::vector<LoadTarget>& targets);
 
 }  // namespace trunk::pml

@@ -15,8 +15,8 @@ PiecewiseLinear course(const Load& load, double to_si) {
 std::vector<std::size_t> listed_indices(const Load& load, std::size_t end) {
   std::vector<std::size_t> indices;
   std::vector<bool> taken(end);
-  for (const Target& target : load.targets) {
-    const IndexRange* const range = std::get_if<IndexRange>(&target);
+  for (const LoadTarget& target : load.targets) {
+    const AtomRange* const range = std::get_if<AtomRange>(&target);
     if (!range) continue;
     if (range->last >= end || range->first > range->last)
       throw InputError(

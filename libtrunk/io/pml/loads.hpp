@@ -14,9 +14,9 @@
 namespace trunk::pml {
 
 /// Atoms first to last by index, both included.
-struct IndexRange {
+struct AtomRange {
   std::size_t first = 0, last = 0;
-  bool operator==(const IndexRange&) const = default;
+  bool operator==(const AtomRange&) const = default;
 };
 
 struct ComponentName {
@@ -29,7 +29,7 @@ struct AllAtoms {
   bool operator==(const AllAtoms&) const = default;
 };
 
-using Target = std::variant<IndexRange, ComponentName, AllAtoms>;
+using LoadTarget = std::variant<AtomRange, ComponentName, AllAtoms>;
 
 /// What a load does along one axis.
 struct Axis {
@@ -60,7 +60,7 @@ struct Load {
   };
 
   Type type = Type::translation;
-  std::vector<Target> targets;
+  std::vector<LoadTarget> targets;
   std::vector<Event> events;  ///< dates increase; linear between, 0 before the first, held after the last
   std::variant<Axes, Toward> direction;
   std::string unit;       ///< as written; empty when not named

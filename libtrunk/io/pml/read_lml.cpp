@@ -137,7 +137,7 @@ Load read_load(const XmlDocument& xml, pugi::xml_node node) {
   load.type = type_of(xml, node);
   check_complete(xml, node, parts);
   xml.allow_attributes(parts.applied_to, {});
-  load.targets = read_targets(xml, parts.applied_to);
+  load.targets = read_load_targets(xml, parts.applied_to);
   load.events = events_of(xml, parts.events);
   load.direction = direction_of(xml, parts.direction);
   load.unit = unit_of(xml, parts.unit, node, load.type);

@@ -122,10 +122,10 @@ class Reader {
  private:
   void read_extended(const toml::node& base, const std::filesystem::path& path, int depth) {
     const TomlPlace place{path.string(), base.source().begin.line};
-    const auto target = base.value_exact<std::string>();
-    if (!target) place.fail("extends is " + shown(base) + ", expected the name of a scenario file");
+    const auto named = base.value_exact<std::string>();
+    if (!named) place.fail("extends is " + shown(base) + ", expected the name of a scenario file");
     if (depth >= 8) place.fail("extends goes more than 8 files deep; does a file extend itself?");
-    const auto parent = path.parent_path() / *target;
+    const auto parent = path.parent_path() / *named;
     std::error_code ignored;
     if (!std::filesystem::exists(parent, ignored))
       place.fail(

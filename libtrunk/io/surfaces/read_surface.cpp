@@ -15,7 +15,7 @@ std::string counted(std::size_t count, const std::string& single, const std::str
   return std::to_string(count) + " " + (count == 1 ? single : several);
 }
 
-void keep_component(FileSurface& from, const std::string& name, const std::string& file) {
+void keep_component(RawSurface& from, const std::string& name, const std::string& file) {
   const auto known = std::find(from.parts.begin(), from.parts.end(), name);
   const int wanted = static_cast<int>(known - from.parts.begin());
   std::vector<Triangle> kept;
@@ -54,7 +54,7 @@ LengthUnit guessed_unit(double extent, const std::string& file) {
                        "cm or mm; scale it or give --surface-unit");
 }
 
-void choose_unit(SurfaceFile& result, const SurfaceOptions& options, const std::string& said_by_file,
+void choose_unit(ImportedSurface& result, const SurfaceOptions& options, const std::string& said_by_file,
                  const std::string& file) {
   const double extent = largest_extent(result.surface);
   const std::string& declared = options.unit.empty() ? said_by_file : options.unit;
@@ -73,7 +73,7 @@ void choose_unit(SurfaceFile& result, const SurfaceOptions& options, const std::
                                           : unit.name + ", as the file says"));
 }
 
-Axes chosen_axes(SurfaceFile& result, const SurfaceOptions& options, const std::string& said_by_file) {
+Axes chosen_axes(ImportedSurface& result, const SurfaceOptions& options, const std::string& said_by_file) {
   if (!options.axes.empty()) return Axes(options.axes);
   if (!said_by_file.empty()) {
     result.notes.push_back("axes " + said_by_file + ", as the file says");
@@ -94,7 +94,7 @@ Axes chosen_axes(SurfaceFile& result, const SurfaceOptions& options, const std::
   return {};
 }
 
-void turn_into_trunk(SurfaceFile& result, const Axes& axes) {
+void turn_into_trunk(ImportedSurface& result, const Axes& axes) {
   for (Vec3d& p : result.surface.points) p = axes(p);
   face_outward(result.surface);
   result.axes = axes.letters();
@@ -103,7 +103,7 @@ void turn_into_trunk(SurfaceFile& result, const Axes& axes) {
                            " are left-handed: the surface is mirrored on the way, check that this is meant");
 }
 
-void note_repairs(SurfaceFile& result) {
+void note_repairs(ImportedSurface& result) {
   const RepairReport& r = result.repaired;
   std::string repairs;
   const auto mention = [&](std::size_t count, const std::string& single, const std::string& several) {
@@ -134,13 +134,13 @@ void note_repairs(SurfaceFile& result) {
 
 }  // namespace
 
-SurfaceFile read_surface(const std::filesystem::path& path, const SurfaceOptions& options) {
+ImportedSurface read_surface(const std::filesystem::path& path, const SurfaceOptions& options) {
   if (!options.axes.empty()) Axes checked(options.axes);  // before a large file is read
   const std::string file = path.string();
-  FileSurface from = read_file_surface(read_file(path, largest_surface_file), file);
+  RawSurface from = read_raw_surface(read_file(path, largest_surface_file), file);
   if (!options.component.empty()) keep_component(from, options.component, file);
 
-  SurfaceFile result;
+  ImportedSurface result;
   result.format = from.format;
   result.surface = {path.filename().string(), std::move(from.points), std::move(from.triangles)};
   result.repaired = repair(result.surface);

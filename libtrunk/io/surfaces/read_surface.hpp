@@ -17,7 +17,7 @@ struct SurfaceOptions {
 };
 
 /// A measured surface, and what was chosen, repaired and guessed on the way.
-struct SurfaceFile {
+struct ImportedSurface {
   MeasuredSurface surface;  // named as the file
   std::string format, unit, axes;
   RepairReport repaired;           // sheet_thickness in m
@@ -29,6 +29,6 @@ struct SurfaceFile {
 /// to 1 m. Axes that nobody names are guessed from the shape of an open dome and taken as RAS otherwise; the
 /// notes say so. Throws InputError for a file that is not read, no triangles, a flat surface, a size that is
 /// no trunk's, a component that is not there.
-SurfaceFile read_surface(const std::filesystem::path& path, const SurfaceOptions& options = {});
+ImportedSurface read_surface(const std::filesystem::path& path, const SurfaceOptions& options = {});
 
 }  // namespace trunk

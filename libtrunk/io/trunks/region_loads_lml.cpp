@@ -17,9 +17,9 @@ namespace {
 using Kind = RegionLoad::Kind;
 constexpr std::size_t largest_loads_file = 10'000'000;
 
-std::string text_of(const std::vector<pml::Target>& targets) {
+std::string text_of(const std::vector<pml::LoadTarget>& targets) {
   struct Text {
-    std::string operator()(const pml::IndexRange& range) const {
+    std::string operator()(const pml::AtomRange& range) const {
       return range.first == range.last ? fmt::format("{}", range.first)
                                        : fmt::format("{}-{}", range.first, range.last);
     }
@@ -27,7 +27,8 @@ std::string text_of(const std::vector<pml::Target>& targets) {
     std::string operator()(const pml::AllAtoms&) const { return "*"; }
   };
   std::string text;
-  for (const pml::Target& target : targets) text += (text.empty() ? "" : ",") + std::visit(Text{}, target);
+  for (const pml::LoadTarget& target : targets)
+    text += (text.empty() ? "" : ",") + std::visit(Text{}, target);
   return text;
 }
 
@@ -68,8 +69,8 @@ RegionLoad region_load(const pml::Load& load, const std::string& file) {
 }
 
 /// "3" or "0-3"; none where the text is neither.
-std::optional<pml::IndexRange> range_of(std::string_view item) {
-  pml::IndexRange range;
+std::optional<pml::AtomRange> range_of(std::string_view item) {
+  pml::AtomRange range;
   const char* stop = item.data() + item.size();
   const auto low = std::from_chars(item.data(), stop, range.first);
   if (low.ec != std::errc{}) return std::nullopt;
@@ -80,8 +81,8 @@ std::optional<pml::IndexRange> range_of(std::string_view item) {
   return high.ec == std::errc{} && high.ptr == stop ? std::optional(range) : std::nullopt;
 }
 
-std::vector<pml::Target> targets_of(const std::string& region) {
-  std::vector<pml::Target> targets;
+std::vector<pml::LoadTarget> targets_of(const std::string& region) {
+  std::vector<pml::LoadTarget> targets;
   for (std::size_t begin = 0; begin <= region.size();) {
     const std::size_t end = std::min(region.find(',', begin), region.size());
     const std::string item = region.substr(begin, end - begin);

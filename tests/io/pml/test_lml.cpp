@@ -46,11 +46,11 @@ std::string lml_message(const std::string& text) {
   return "no error";
 }
 
-std::vector<Target> targets_of(const std::string& text) {
+std::vector<LoadTarget> targets_of(const std::string& text) {
   return read_lml(loads("<appliedTo>" + text + "</appliedTo>" + event + direction), "").loads.at(0).targets;
 }
 
-Target random_target(Random& random) {
+LoadTarget random_target(Random& random) {
   const std::string names[] = {"Lung", "left-lung", "3rd rib", "Zwerchfell, rechts"};
   const std::size_t first = random.below(1000);
   switch (random.below(4)) {
@@ -59,9 +59,9 @@ Target random_target(Random& random) {
     case 1:
       return ComponentName{names[random.below(3)]};
     case 2:
-      return pml::IndexRange{first, first};
+      return pml::AtomRange{first, first};
     default:
-      return pml::IndexRange{first, first + random.below(100)};
+      return pml::AtomRange{first, first + random.below(100)};
   }
 }
 
@@ -97,9 +97,9 @@ TEST_CASE("The published compressions are read, loads in comments are not", "[un
   const Loads read = read_lml(text, "compression-12.lml");
   REQUIRE(read.loads.size() == 2);
   const Load held{
-      Load::Type::translation, {pml::IndexRange{648, 728}}, {{0, 1}}, Axes{fixed, fixed, fixed}, "mm", {}, 0};
+      Load::Type::translation, {pml::AtomRange{648, 728}}, {{0, 1}}, Axes{fixed, fixed, fixed}, "mm", {}, 0};
   const Load pushed{Load::Type::translation,
-                    {pml::IndexRange{0, 80}},
+                    {pml::AtomRange{0, 80}},
                     {{0, 0}, {10, 10}},
                     Axes{along(0), along(0), along(1)},
                     "mm",
@@ -128,7 +128,7 @@ TEST_CASE("Published loads survive writing", "[unit][lml]") {
 
 TEST_CASE("Loads are written as other programs expect them", "[unit][lml]") {
   Load load;
-  load.targets = {pml::IndexRange{0, 3}, pml::IndexRange{7, 7}, ComponentName{"left lung"}};
+  load.targets = {pml::AtomRange{0, 3}, pml::AtomRange{7, 7}, ComponentName{"left lung"}};
   load.events = {{0, 0}, {0.5, 1e-3}};
   load.direction = Axes{fixed, Axis{}, along(-1)};
   load.unit = "mm";
@@ -142,14 +142,14 @@ TEST_CASE("Loads are written as other programs expect them", "[unit][lml]") {
 }
 
 TEST_CASE("Targets are indexes, ranges, names and everything", "[unit][lml]") {
-  using Targets = std::vector<Target>;
+  using Targets = std::vector<LoadTarget>;
   CHECK(targets_of("0-3,7,9-11") ==
-        Targets{pml::IndexRange{0, 3}, pml::IndexRange{7, 7}, pml::IndexRange{9, 11}});
-  CHECK(targets_of(" \n 0-3 ,\t7 \n") == Targets{pml::IndexRange{0, 3}, pml::IndexRange{7, 7}});
+        Targets{pml::AtomRange{0, 3}, pml::AtomRange{7, 7}, pml::AtomRange{9, 11}});
+  CHECK(targets_of(" \n 0-3 ,\t7 \n") == Targets{pml::AtomRange{0, 3}, pml::AtomRange{7, 7}});
   CHECK(targets_of("*") == Targets{AllAtoms{}});
   CHECK(targets_of("Lung 2, left-lung,5-5") ==
-        Targets{ComponentName{"Lung 2"}, ComponentName{"left-lung"}, pml::IndexRange{5, 5}});
-  CHECK(targets_of("0-<!-- not 9 -->4,&#53;") == Targets{pml::IndexRange{0, 4}, pml::IndexRange{5, 5}});
+        Targets{ComponentName{"Lung 2"}, ComponentName{"left-lung"}, pml::AtomRange{5, 5}});
+  CHECK(targets_of("0-<!-- not 9 -->4,&#53;") == Targets{pml::AtomRange{0, 4}, pml::AtomRange{5, 5}});
   for (const std::string bad :
        {"", " ", "1,,2", "1,", "-3", "3-", "1-2-3", "1.5", "+", "99999999999", "0-1000000000"})
     CHECK_THAT(lml_message(loads("<appliedTo>" + bad + "</appliedTo>" + event + direction)),
@@ -160,12 +160,12 @@ TEST_CASE("Targets are indexes, ranges, names and everything", "[unit][lml]") {
 
 TEST_CASE("Ranges are worked out up to a bound", "[unit][lml]") {
   Load load;
-  load.targets = {pml::IndexRange{4, 6}, ComponentName{"Lung"}, pml::IndexRange{5, 7}, pml::IndexRange{0, 0}};
+  load.targets = {pml::AtomRange{4, 6}, ComponentName{"Lung"}, pml::AtomRange{5, 7}, pml::AtomRange{0, 0}};
   CHECK(listed_indices(load, 8) == std::vector<std::size_t>{4, 5, 6, 7, 0});
   CHECK_THROWS_WITH(listed_indices(load, 7), Contains("5-7") && Contains("below 7"));
-  load.targets = {pml::IndexRange{0, 1'000'000'000'000}};
+  load.targets = {pml::AtomRange{0, 1'000'000'000'000}};
   CHECK_THROWS_AS(listed_indices(load, 8), InputError);
-  load.targets = {pml::IndexRange{3, 2}};
+  load.targets = {pml::AtomRange{3, 2}};
   CHECK_THROWS_AS(listed_indices(load, 8), InputError);
 }
 

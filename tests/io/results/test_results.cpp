@@ -10,9 +10,10 @@
 #include "errors/input_error.hpp"
 #include "files/replace_file.hpp"
 #include "files/sha256.hpp"
-#include "results/inspect/print_description.hpp"
+#include "results/inspect/print_inspection.hpp"
 #include "results/read/read_records.hpp"
-#include "results/read/summary.hpp"
+#include "results/read/results_kind.hpp"
+#include "results/read/stored_run.hpp"
 #include "results/write/write_fit.hpp"
 #include "results/write/write_run.hpp"
 #include "results/write/write_sweep.hpp"
@@ -46,7 +47,7 @@ TEST_CASE("a run reads back as it was written", "[results]") {
   CHECK(is_complete(path));
   CHECK(files_in(folder) == 1);
 
-  const RunSummary back = read_run_summary(path);
+  const StoredRun back = read_stored_run(path);
   CHECK(back.title == run.title);
   CHECK(back.status == run.status);
   CHECK(back.message == run.message);
@@ -73,18 +74,18 @@ TEST_CASE("a fit gives its best parameters; its description shows their uncertai
   CHECK(parameters[0].name == "k_elasticity");
   CHECK(parameters[0].value == 4000);
   CHECK(parameters[2].unit == "1");
-  const std::string text = describe_file(path);
+  const std::string text = inspection_text(path);
   CHECK_THAT(text, Contains("0.4 %") && Contains("AT ITS BOUND") && Contains("fixed") && Contains("± 20"));
   CHECK_THAT(text, Contains("best_run/particles/trajectory/position/value") && Contains("[70, 3, 3]"));
-  CHECK_THAT(describe_file_json(path), Contains("\"stderr\": 20.0") && Contains("\"kind\": \"fit\""));
-  CHECK_THAT(error_of<InputError>([&] { read_run_summary(path); }), Contains("is a fit, expected a run"));
+  CHECK_THAT(inspection_json(path), Contains("\"stderr\": 20.0") && Contains("\"kind\": \"fit\""));
+  CHECK_THAT(error_of<InputError>([&] { read_stored_run(path); }), Contains("is a fit, expected a run"));
 }
 
 TEST_CASE("a sweep counts its runs and outlives its run files", "[results]") {
   const TemporaryFolder folder;
   const fs::path path = folder / "sweep.h5";
   write_sweep(path, sample_sweep());  // run.h5 is not there
-  CHECK_THAT(describe_file(path), Contains("diverged") && Contains("table/k_muscle") && Contains("[2, 3]"));
+  CHECK_THAT(inspection_text(path), Contains("diverged") && Contains("table/k_muscle") && Contains("[2, 3]"));
   CHECK_THAT(error_of<InputError>([&] { read_parameters(path); }), Contains("is a sweep"));
 }
 
@@ -127,22 +128,22 @@ TEST_CASE("a wrong record is not read as a right one", "[results]") {
 TEST_CASE("what is optional may be absent, tables may be empty, texts long", "[results]") {
   const TemporaryFolder folder;
   write_run(folder / "run.h5", RunRecord());
-  CHECK_FALSE(describe_file(folder / "run.h5").empty());
+  CHECK_FALSE(inspection_text(folder / "run.h5").empty());
   write_fit(folder / "fit.h5", FitRecord());
   CHECK(read_parameters(folder / "fit.h5").empty());
   write_sweep(folder / "sweep.h5", SweepRecord());
-  CHECK_FALSE(describe_file_json(folder / "sweep.h5").empty());
+  CHECK_FALSE(inspection_json(folder / "sweep.h5").empty());
 
   SweepRecord no_curves = sample_sweep();
   no_curves.curve_time_s.clear();
   write_sweep(folder / "no_curves.h5", no_curves);
-  CHECK_THAT(describe_file(folder / "no_curves.h5"), Contains("[2, 0]"));
+  CHECK_THAT(inspection_text(folder / "no_curves.h5"), Contains("[2, 0]"));
 
   RunRecord run;
   run.scenario_toml = std::string(200000, '#');
   run.provenance.argv = std::string(200000, 'a');
   write_run(folder / "long.h5", run);
-  CHECK_FALSE(describe_file(folder / "long.h5").empty());
+  CHECK_FALSE(inspection_text(folder / "long.h5").empty());
 }
 
 TEST_CASE("equal runs are equal files under SOURCE_DATE_EPOCH", "[results]") {
@@ -165,7 +166,7 @@ TEST_CASE("equal runs are equal files under SOURCE_DATE_EPOCH", "[results]") {
     write_both("b", "trunk -o elsewhere");
     CHECK(same(".run"));
     CHECK(same(".fit"));
-    CHECK_THAT(describe_file(folder / "a.run"), Contains("2023-11-14T22:13:20Z") && !Contains("wall_s"));
+    CHECK_THAT(inspection_text(folder / "a.run"), Contains("2023-11-14T22:13:20Z") && !Contains("wall_s"));
   }
   write_both("b", "trunk");
   CHECK_FALSE(same(".run"));
@@ -220,11 +221,11 @@ TEST_CASE("a failed write leaves the old file and nothing else", "[results]") {
   CHECK(files_in(folder) == 1);
 }
 
-TEST_CASE("a target is tested before any work", "[results]") {
+TEST_CASE("An output path is tested before any work", "[results]") {
   const TemporaryFolder folder;
   const fs::path path = folder / "run.h5";
-  const auto refusal = [](const fs::path& target, bool force) {
-    return error_of<InputError>([&] { require_writable_target(target, force); });
+  const auto refusal = [](const fs::path& output, bool force) {
+    return error_of<InputError>([&] { require_writable_output(output, force); });
   };
   CHECK(refusal(path, false).empty());
   CHECK(files_in(folder) == 0);
@@ -257,7 +258,7 @@ TEST_CASE("many threads may write at once", "[results]") {
   }
   for (std::thread& thread : threads) thread.join();
   CHECK(files_in(folder) == 4);
-  for (int i = 0; i < 4; ++i) CHECK_FALSE(describe_file(folder / (std::to_string(i) + ".h5")).empty());
+  for (int i = 0; i < 4; ++i) CHECK_FALSE(inspection_text(folder / (std::to_string(i) + ".h5")).empty());
 }
 
 TEST_CASE("sha256 agrees with the published vectors", "[results]") {

@@ -3,8 +3,9 @@
 
 #include "errors/input_error.hpp"
 #include "files/sha256.hpp"
-#include "results/inspect/print_description.hpp"
-#include "results/read/summary.hpp"
+#include "results/inspect/print_inspection.hpp"
+#include "results/read/results_kind.hpp"
+#include "results/read/stored_run.hpp"
 #include "results/write/write_run.hpp"
 #include "support/result_records.hpp"
 
@@ -23,7 +24,7 @@ std::string without_seal(const std::string& bytes) {
 }
 
 std::string refusal_of(const fs::path& path) {
-  return error_of<InputError>([&] { describe_file(path); });
+  return error_of<InputError>([&] { inspection_text(path); });
 }
 
 }  // namespace
@@ -35,7 +36,7 @@ TEST_CASE("what is not a finished results file is refused by name", "[results]")
   const std::string bytes = bytes_of(good);
   const auto refusal = [&] {
     CHECK_FALSE(is_complete(path));
-    return error_of<InputError>([&] { describe_file(path); });
+    return error_of<InputError>([&] { inspection_text(path); });
   };
   CHECK_THAT(refusal(), Contains("no such file"));
   put(path, "");
@@ -52,7 +53,7 @@ TEST_CASE("what is not a finished results file is refused by name", "[results]")
     put(path, bytes.substr(0, size));
     CHECK_THAT(refusal(), Contains("is truncated: " + std::to_string(size) + " of " + whole + " bytes"));
   }
-  CHECK_THAT(error_of<InputError>([&] { describe_file(folder / ""); }), Contains("is a folder"));
+  CHECK_THAT(error_of<InputError>([&] { inspection_text(folder / ""); }), Contains("is a folder"));
 }
 
 TEST_CASE("without its seal a flipped bit is an error or does not matter; it never is another number",
@@ -62,8 +63,8 @@ TEST_CASE("without its seal a flipped bit is an error or does not matter; it nev
   write_run(path, sample_run());
   const std::string bytes = without_seal(bytes_of(path));
   put(path, bytes);
-  const RunSummary good = read_run_summary(path);
-  const std::string description = describe_file(path);
+  const StoredRun good = read_stored_run(path);
+  const std::string description = inspection_text(path);
   std::mt19937 random(1);
   int seen = 0;
   constexpr int flips = 400;
@@ -73,8 +74,8 @@ TEST_CASE("without its seal a flipped bit is an error or does not matter; it nev
     byte = static_cast<char>(byte ^ (1 << (flip % 8)));
     put(path, damaged);
     try {
-      const std::string now = describe_file(path);
-      const RunSummary back = read_run_summary(path);
+      const std::string now = inspection_text(path);
+      const StoredRun back = read_stored_run(path);
       // Unused space, and the references that name the axes: what is read is right.
       CHECK(now == description);
       CHECK(back.curve_dV_ml == good.curve_dV_ml);
@@ -115,8 +116,8 @@ TEST_CASE("a file that another program changed is read without its seal, not wit
   write_run(path, sample_run());
   const std::string bytes = bytes_of(path);
   put(path, without_seal(bytes));
-  CHECK_THAT(describe_file(path), Contains("466.125"));
-  CHECK(read_run_summary(path).title == "healthy");
+  CHECK_THAT(inspection_text(path), Contains("466.125"));
+  CHECK(read_stored_run(path).title == "healthy");
   put(path, without_seal(bytes) + "x");
   CHECK_THAT(refusal_of(path), Contains("is truncated"));
   put(path, without_seal(bytes) + std::string(seal_size, 'x'));

@@ -139,7 +139,7 @@ TEST_CASE("The unit is guessed from the size, and a size that is none of a trunk
   TemporaryFolder folder;
   const Mesh ball = icosphere(0.1, 2);
   for (const auto& [scale, unit] : {std::pair{1000.0, "mm"}, {100.0, "cm"}, {1.0, "m"}}) {
-    const SurfaceFile file = read_surface(folder.write("ball.obj", obj_of(ball, scale)));
+    const ImportedSurface file = read_surface(folder.write("ball.obj", obj_of(ball, scale)));
     CHECK(file.unit == unit);
     CHECK(largest_extent(file.surface) == Approx(0.2).epsilon(0.01));
     CHECK_THAT(file.notes.front(), Contains(std::string("taken as ") + unit));
@@ -167,7 +167,7 @@ TEST_CASE("Axes that nobody names are those of the subject's other surfaces", "[
 TEST_CASE("One component can be chosen, and must be there", "[unit][surfaces]") {
   TemporaryFolder folder;
   const std::string ball = obj_of(icosphere(0.1, 1)), two = "o left\n" + ball + "o right\nf 1 2 3\n";
-  const SurfaceFile left = read_surface(folder.write("two.obj", two), {"", "", "left", ""});
+  const ImportedSurface left = read_surface(folder.write("two.obj", two), {"", "", "left", ""});
   CHECK(left.surface.triangles.size() == icosphere(0.1, 1).triangles.size());
   CHECK_THAT(message_of_surface(two, {"", "", "middle", ""}),
              Contains("'middle'") && Contains("'left' 'right'"));

@@ -53,7 +53,7 @@ std::string base64(const std::string& bytes) {
 }
 
 /// The same surface in every format; points in the same order except in STL, where each facet has its own.
-void check_pyramid(const FileSurface& s, std::size_t points = 5) {
+void check_pyramid(const RawSurface& s, std::size_t points = 5) {
   REQUIRE(s.points.size() == points);
   REQUIRE(s.triangles.size() == 4);
   REQUIRE(s.part.size() == 4);
@@ -163,7 +163,7 @@ std::string deflated(const std::string& data) {
 
 TEST_CASE("STL as text is read, whatever its line ends and case", "[unit][surfaces]") {
   for (const char* line_end : {"\n", "\r\n", "\r"}) {
-    const FileSurface s = read_file_surface("\xEF\xBB\xBF" + text_stl(line_end), "a.stl");
+    const RawSurface s = read_raw_surface("\xEF\xBB\xBF" + text_stl(line_end), "a.stl");
     check_pyramid(s, 12);
     CHECK(s.parts == std::vector<std::string>{"lungs"});
     CHECK(s.axes.empty());
@@ -171,49 +171,47 @@ TEST_CASE("STL as text is read, whatever its line ends and case", "[unit][surfac
 }
 
 TEST_CASE("Binary STL is known by its length, though it begins with solid", "[unit][surfaces]") {
-  const FileSurface s = read_file_surface(binary_stl(), "b.stl");
+  const RawSurface s = read_raw_surface(binary_stl(), "b.stl");
   check_pyramid(s, 12);
   CHECK(s.format == "STL, binary");
   CHECK(s.axes == "LPS");
-  check_pyramid(read_file_surface(binary_stl("x") + "trailing", "b.stl"), 12);
+  check_pyramid(read_raw_surface(binary_stl("x") + "trailing", "b.stl"), 12);
 }
 
 TEST_CASE("OBJ is read with its groups, its texture and normal numbers and numbers from behind",
           "[unit][surfaces]") {
   const std::string points = "# SPACE=LPS\nmtllib x.mtl\n" + text_points("v ") + "vn 0 0 1\nvt 0 0\n";
-  const FileSurface s = read_file_surface(
+  const RawSurface s = read_raw_surface(
       points + "g left\nf 1 2/1 5/1/1\nf 2//1 3 5\ng right one\nf 3 4 \\\n 5\r\nf -2 -5 -1 # the last\n",
       "a.obj");
   check_pyramid(s);
   CHECK(s.axes == "LPS");
   CHECK(s.parts == std::vector<std::string>{"left", "right one"});
   CHECK(s.part == std::vector<int>{0, 0, 1, 1});
-  const FileSurface quad = read_file_surface(points + "f 1 2 3 4\n", "a.obj");
+  const RawSurface quad = read_raw_surface(points + "f 1 2 3 4\n", "a.obj");
   CHECK(quad.triangles == std::vector<Triangle>{{0, 1, 2}, {0, 2, 3}});
 }
 
 TEST_CASE("Numbers are read as people write them", "[unit][surfaces]") {
-  const FileSurface s =
-      read_file_surface("v 1.5D+02 +2,25 -.5\nv 1e2 0 1e-400\nv 0 0 0 1\nf 1 2 3\n", "a.obj");
+  const RawSurface s = read_raw_surface("v 1.5D+02 +2,25 -.5\nv 1e2 0 1e-400\nv 0 0 0 1\nf 1 2 3\n", "a.obj");
   CHECK((s.points[0].x() == 150.0 && s.points[0].y() == 2.25 && s.points[0].z() == -0.5));
   CHECK((s.points[1].x() == 100.0 && s.points[1].z() == 0.0));
 }
 
 TEST_CASE("PLY is read as text and with either byte order", "[unit][surfaces]") {
-  const FileSurface s = read_file_surface(
+  const RawSurface s = read_raw_surface(
       ply_text("ascii", text_points("", "7\n") + "3 0 1 4\n3 1 2 4\n3 2 3 4\n3 3 0 4\n"), "a.ply");
   check_pyramid(s);
   CHECK(s.axes == "RAS");
-  check_pyramid(read_file_surface(ply_text("binary_little_endian", ply_body(false)), "a.ply"));
-  check_pyramid(read_file_surface(ply_text("binary_big_endian", ply_body(true)), "a.ply"));
+  check_pyramid(read_raw_surface(ply_text("binary_little_endian", ply_body(false)), "a.ply"));
+  check_pyramid(read_raw_surface(ply_text("binary_big_endian", ply_body(true)), "a.ply"));
 }
 
 TEST_CASE("VTK's legacy format is read as text and binary, old and new", "[unit][surfaces]") {
   const std::string old_cells =
       "VERTICES 1 2\n1 0\nPOLYGONS 4 16\n3 0 1 4\n3 1 2 4\n3 2 3 4\n3 3 0 4\nPOINT_DATA 5\n?";
-  check_pyramid(
-      read_file_surface(vtk_text("ASCII", "POINTS 5 float\n" + text_points() + old_cells), "a.vtk"));
-  check_pyramid(read_file_surface(
+  check_pyramid(read_raw_surface(vtk_text("ASCII", "POINTS 5 float\n" + text_points() + old_cells), "a.vtk"));
+  check_pyramid(read_raw_surface(
       vtk_text("ASCII",
                "FIELD FieldData 1\nname 1 1 string\nx\nPOINTS 5 float\n" + text_points() +
                    "METADATA\nINFORMATION 0\n\nPOLYGONS 5 12\nOFFSETS vtktypeint64\n0 3 6 9 12\nCONNECTIVITY "
@@ -224,18 +222,18 @@ TEST_CASE("VTK's legacy format is read as text and binary, old and new", "[unit]
     binary += raw(3, true);
     for (const int i : face) binary += raw(i, true);
   }
-  check_pyramid(read_file_surface(vtk_text("BINARY", binary + "\n"), "b.vtk"));
+  check_pyramid(read_raw_surface(vtk_text("BINARY", binary + "\n"), "b.vtk"));
   binary = "POINTS 5 float\n" + raw_points<float>(true) + "\nPOLYGONS 5 12\nOFFSETS vtktypeint64\n" +
            raw<std::int64_t>(0, true) + whole_numbers(true, true) + "\nCONNECTIVITY vtktypeint64\n" +
            whole_numbers(true, false) + "\n";
-  check_pyramid(read_file_surface(vtk_text("BINARY", binary), "b.vtk"));
-  const FileSurface strip = read_file_surface(
+  check_pyramid(read_raw_surface(vtk_text("BINARY", binary), "b.vtk"));
+  const RawSurface strip = read_raw_surface(
       vtk_text("ASCII", "POINTS 5 float\n" + text_points() + "TRIANGLE_STRIPS 1 5\n4 0 1 3 2\n"), "a.vtk");
   CHECK(strip.triangles == std::vector<Triangle>{{0, 1, 3}, {3, 1, 2}});
 }
 
 TEST_CASE("VTP is read as text", "[unit][surfaces]") {
-  check_pyramid(read_file_surface(
+  check_pyramid(read_raw_surface(
       vtp_file({"format=\"ascii\">" + text_points() + "<InformationKey>7</InformationKey>",
                 "format=\"ascii\">0 1 4 1 2 4 2 3 4 3 0 4", "format=\"ascii\">3 6 9 12", "", ""}),
       "a.vtp"));
@@ -250,11 +248,11 @@ TEST_CASE("VTP is read in base64, plain and compressed", "[unit][surfaces]") {
       return binary + "\n  " +
              base64(big ? sized<std::uint64_t>(data, big) : sized<std::uint32_t>(data, big)) + "\n";
     };
-    check_pyramid(read_file_surface(vtp_file({coded(raw_points<float>(big)), coded(whole_numbers(big, false)),
-                                              coded(whole_numbers(big, true)), order, ""}),
-                                    "a.vtp"));
+    check_pyramid(read_raw_surface(vtp_file({coded(raw_points<float>(big)), coded(whole_numbers(big, false)),
+                                             coded(whole_numbers(big, true)), order, ""}),
+                                   "a.vtp"));
   }
-  check_pyramid(read_file_surface(
+  check_pyramid(read_raw_surface(
       vtp_file({binary + deflated(raw_points<float>(false)), binary + deflated(whole_numbers(false, false)),
                 binary + deflated(whole_numbers(false, true)), "compressor=\"vtkZLibDataCompressor\"", ""}),
       "a.vtp"));
@@ -270,7 +268,7 @@ TEST_CASE("VTP is read with appended data, raw and in base64", "[unit][surfaces]
       return "format=\"appended\" offset=\"" + std::to_string(offset) + "\">";
     };
     const std::size_t second = coded(points).size(), third = second + coded(list).size();
-    check_pyramid(read_file_surface(
+    check_pyramid(read_raw_surface(
         vtp_file({at(0), at(second), at(third), "",
                   std::string("<AppendedData encoding=\"") + (is_raw ? "raw" : "base64") + "\">\n  _" +
                       coded(points) + coded(list) + coded(ends) + "\n</AppendedData>\n"}),
@@ -298,7 +296,7 @@ TEST_CASE("PML is read: every component of triangles and quadrilaterals, also by
       "</structuralComponent><structuralComponent name='floor'><cellRef index='0'/>" +
       cell(3, "QUAD", {0, 1, 2, 3}) +
       "</structuralComponent></multiComponent></exclusiveComponents>\n</physicalModel>\n";
-  const FileSurface s = read_file_surface(text, "a.pml");
+  const RawSurface s = read_raw_surface(text, "a.pml");
   CHECK(s.triangles == std::vector<Triangle>{{0, 1, 4}, {1, 2, 4}, {0, 1, 4}, {0, 1, 2}, {0, 2, 3}});
   CHECK(s.part == std::vector<int>{0, 0, 1, 1, 1});
   CHECK(s.parts == std::vector<std::string>{"side", "floor"});
@@ -307,10 +305,10 @@ TEST_CASE("PML is read: every component of triangles and quadrilaterals, also by
 
 TEST_CASE("Real surfaces are read whole", "[unit][surfaces]") {
   if (const std::string pml = test::shared_surface("diaphragm.pml"); !pml.empty()) {
-    const FileSurface s = read_file_surface(pml, "diaphragm.pml");
+    const RawSurface s = read_raw_surface(pml, "diaphragm.pml");
     CHECK(s.points.size() == 283);
     CHECK(s.triangles.size() == 498);
   }
   if (const std::string obj = test::shared_surface("eidors_vh_male_thorax.obj"); !obj.empty())
-    CHECK(read_file_surface(obj, "thorax.obj").points.size() == 1974);
+    CHECK(read_raw_surface(obj, "thorax.obj").points.size() == 1974);
 }

@@ -12,6 +12,7 @@
 
 #include "files/replace_file.hpp"
 #include "results/hdf5/image.hpp"
+#include "results/hdf5_version.hpp"
 #include "results/seal.hpp"
 
 namespace trunk::layout {
@@ -54,12 +55,6 @@ std::string host_name() {
   return gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "";
 }
 
-std::string hdf5_version() {
-  unsigned major = 0, minor = 0, release = 0;
-  H5get_libversion(&major, &minor, &release);
-  return std::to_string(major) + "." + std::to_string(minor) + "." + std::to_string(release);
-}
-
 }  // namespace
 
 void store(const std::filesystem::path& path, const std::string& kind,
@@ -86,21 +81,21 @@ void write_schema(hid_t group, const std::string& kind) {
 }
 
 void write_provenance(hid_t group, const Provenance& provenance) {
-  const hdf5::Group target = hdf5::create_group(group, "provenance");
-  write_attribute(target, "software", "trunk");
-  write_attribute(target, "version", provenance.version);
-  write_attribute(target, "git_sha", provenance.git_sha);
-  write_attribute(target, "git_dirty", std::int32_t{provenance.git_dirty});
-  write_attribute(target, "compiler", provenance.compiler);
-  write_attribute(target, "build_type", provenance.build_type);
-  write_attribute(target, "hdf5_version", hdf5_version());
-  write_attribute(target, "libraries", lines(provenance.libraries, false));
-  write_attribute(target, "seed", provenance.seed);
-  write_attribute(target, "input_sha256", lines(provenance.input_sha256, true));
-  write_attribute(target, "created", utc(creation_time()));
+  const hdf5::Group to = hdf5::create_group(group, "provenance");
+  write_attribute(to, "software", "trunk");
+  write_attribute(to, "version", provenance.version);
+  write_attribute(to, "git_sha", provenance.git_sha);
+  write_attribute(to, "git_dirty", std::int32_t{provenance.git_dirty});
+  write_attribute(to, "compiler", provenance.compiler);
+  write_attribute(to, "build_type", provenance.build_type);
+  write_attribute(to, "hdf5_version", hdf5_version());
+  write_attribute(to, "libraries", lines(provenance.libraries, false));
+  write_attribute(to, "seed", provenance.seed);
+  write_attribute(to, "input_sha256", lines(provenance.input_sha256, true));
+  write_attribute(to, "created", utc(creation_time()));
   if (is_reproducible()) return;
-  write_attribute(target, "argv", provenance.argv);
-  write_attribute(target, "host", host_name());
+  write_attribute(to, "argv", provenance.argv);
+  write_attribute(to, "host", host_name());
 }
 
 void write_numbers(hid_t group, const std::vector<NamedValue>& numbers) {

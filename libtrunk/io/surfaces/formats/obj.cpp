@@ -31,7 +31,7 @@ std::string_view next_of_face(Words& words) {
 
 }  // namespace
 
-FileSurface read_obj(const std::string& bytes, const std::string& file) {
+RawSurface read_obj(const std::string& bytes, const std::string& file) {
   SurfaceBuilder builder(file, "OBJ");
   Words words(bytes, file);
   for (; !words.at_end(); words.skip_line()) {

@@ -146,7 +146,7 @@ void read_ply_entry(PlyNumbers& numbers, const PlyElement& element, const PlyPro
 
 }  // namespace
 
-FileSurface read_ply(const std::string& bytes, const std::string& file) {
+RawSurface read_ply(const std::string& bytes, const std::string& file) {
   SurfaceBuilder builder(file, "PLY");
   Words words(bytes, file);
   const PlyHeader header = read_ply_header(words, builder);

@@ -36,7 +36,7 @@ const pml::Cell* cell_of(const std::variant<pml::AtomReference, pml::Cell, pml::
 
 /// Every component of TRIANGLE or QUAD cells is a part. Cells that a second component only refers to are
 /// there twice: the repair drops them.
-FileSurface read_pml_surface(const std::string& bytes, const std::string& file) {
+RawSurface read_pml_surface(const std::string& bytes, const std::string& file) {
   const pml::PhysicalModel model = pml::read_pml(bytes, file);
   SurfaceBuilder builder(file, "PML");
   if (const std::string* unit = pml::find(model.attributes, "unit")) builder.unit(*unit);
@@ -61,7 +61,7 @@ FileSurface read_pml_surface(const std::string& bytes, const std::string& file) 
       builder.polygon(corners);
     }
   });
-  FileSurface surface = builder.finish();
+  RawSurface surface = builder.finish();
   if (const std::string* axes = pml::find(model.attributes, "axes")) surface.axes = *axes;
   return surface;
 }

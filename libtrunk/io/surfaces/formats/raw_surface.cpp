@@ -83,7 +83,7 @@ void SurfaceBuilder::remark(std::string_view text) {
     if (text.find(std::string("SPACE=") + axes) != std::string_view::npos) surface_.axes = axes;
 }
 
-FileSurface SurfaceBuilder::finish() {
+RawSurface SurfaceBuilder::finish() {
   if (surface_.triangles.empty())
     fail(0,
          fmt::format("{} file with {} points and no triangle; expected a surface of triangles or polygons; "
@@ -108,7 +108,7 @@ bool looks_like_obj(std::string_view text) {
 
 }  // namespace
 
-FileSurface read_file_surface(std::string bytes, const std::string& file) {
+RawSurface read_raw_surface(std::string bytes, const std::string& file) {
   if (bytes.starts_with("\xEF\xBB\xBF")) bytes.erase(0, 3);
   const std::string_view text = bytes;
   const std::string_view head = text.substr(std::min(text.find_first_not_of(" \t\r\n"), text.size()), 2000);

@@ -13,7 +13,7 @@ namespace trunk {
 
 /// A surface as a file has it: its unit, its axes, nothing repaired. Every corner is a point, every
 /// coordinate finite.
-struct FileSurface {
+struct RawSurface {
   std::string format;               // "STL, binary"
   std::string axes, unit;           // "LPS", "mm", where the file itself says so; else empty
   std::vector<Vec3d> points;        // [points] in the unit of the file
@@ -56,25 +56,25 @@ class SurfaceBuilder {
   void unit(std::string name) { surface_.unit = std::move(name); }
 
   /// The finished surface. Throws InputError without triangles.
-  FileSurface finish();
+  RawSurface finish();
 
   [[noreturn]] void fail(std::size_t line, const std::string& text) const;
 
  private:
   std::string file_;
-  FileSurface surface_;
+  RawSurface surface_;
   int current_part_ = -1;
 };
 
 /// One a format; `bytes` is the whole file, `file` its name for messages. All throw InputError.
-FileSurface read_stl(const std::string& bytes, const std::string& file);
-FileSurface read_obj(const std::string& bytes, const std::string& file);
-FileSurface read_ply(const std::string& bytes, const std::string& file);
-FileSurface read_vtk(const std::string& bytes, const std::string& file);  // legacy
-FileSurface read_vtp(const std::string& bytes, const std::string& file);
-FileSurface read_pml_surface(const std::string& bytes, const std::string& file);
+RawSurface read_stl(const std::string& bytes, const std::string& file);
+RawSurface read_obj(const std::string& bytes, const std::string& file);
+RawSurface read_ply(const std::string& bytes, const std::string& file);
+RawSurface read_vtk(const std::string& bytes, const std::string& file);  // legacy
+RawSurface read_vtp(const std::string& bytes, const std::string& file);
+RawSurface read_pml_surface(const std::string& bytes, const std::string& file);
 
 /// Whatever the format is: known by the content, not by the name of the file.
-FileSurface read_file_surface(std::string bytes, const std::string& file);
+RawSurface read_raw_surface(std::string bytes, const std::string& file);
 
 }  // namespace trunk

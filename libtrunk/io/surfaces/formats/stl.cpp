@@ -17,7 +17,7 @@ std::size_t bytes_announced(std::string_view bytes) {
 }
 
 /// Every facet has points of its own here: equal ones are merged by the repair.
-FileSurface read_binary_stl(const std::string& bytes, const std::string& file) {
+RawSurface read_binary_stl(const std::string& bytes, const std::string& file) {
   SurfaceBuilder builder(file, "STL, binary");
   builder.remark(std::string_view(bytes).substr(0, 80));
   const std::size_t announced = bytes_announced(bytes);
@@ -39,7 +39,7 @@ FileSurface read_binary_stl(const std::string& bytes, const std::string& file) {
   return builder.finish();
 }
 
-FileSurface read_text_stl(const std::string& bytes, const std::string& file) {
+RawSurface read_text_stl(const std::string& bytes, const std::string& file) {
   SurfaceBuilder builder(file, "STL, text");
   Words words(bytes, file);
   std::vector<double> loop;
@@ -77,7 +77,7 @@ bool is_binary_stl(std::string_view bytes) {
          bytes.substr(0, 2000).find('\0') != std::string_view::npos;
 }
 
-FileSurface read_stl(const std::string& bytes, const std::string& file) {
+RawSurface read_stl(const std::string& bytes, const std::string& file) {
   return is_binary_stl(bytes) ? read_binary_stl(bytes, file) : read_text_stl(bytes, file);
 }
 

@@ -15,7 +15,7 @@ class VtkReader {
   VtkReader(const std::string& bytes, const std::string& file)
       : bytes_(bytes), words_(bytes, file), builder_(file, "VTK") {}
 
-  FileSurface read() {
+  RawSurface read() {
     read_vtk_header();
     for (std::string_view word = words_.next(); !word.empty(); word = words_.next()) {
       if (same_word(word, "POINTS"))
@@ -139,7 +139,7 @@ class VtkReader {
 
 }  // namespace
 
-FileSurface read_vtk(const std::string& bytes, const std::string& file) {
+RawSurface read_vtk(const std::string& bytes, const std::string& file) {
   return VtkReader(bytes, file).read();
 }
 

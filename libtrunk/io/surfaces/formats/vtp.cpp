@@ -61,7 +61,7 @@ void read_vtp_piece(const pml::XmlDocument& xml, const VtpArrays& arrays, pugi::
 
 }  // namespace
 
-FileSurface read_vtp(const std::string& bytes, const std::string& file) {
+RawSurface read_vtp(const std::string& bytes, const std::string& file) {
   const VtpText text = vtp_text(bytes);
   const pml::XmlDocument xml(text.xml, file, "VTP");
   const std::string_view type = xml.root().attribute("type").as_string();

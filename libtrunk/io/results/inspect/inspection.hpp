@@ -11,14 +11,14 @@
 /// Private to the results layer.
 namespace trunk::layout {
 
-struct DatasetDescription {
+struct DatasetInfo {
   std::string path, units, long_name, type;
   std::vector<std::uint64_t> shape;  ///< empty for a single value
   std::uint64_t stored_bytes = 0;    ///< after compression
 };
 
 /// A results file in short; gathered once, printed in two ways.
-struct Description {
+struct Inspection {
   std::string kind;
   std::uint64_t file_bytes = 0;
   std::vector<std::pair<std::string, std::string>> heading;     ///< title, status, verdict …
@@ -28,10 +28,10 @@ struct Description {
   std::vector<NamedValue> measures;                             ///< of a run, or of a fit's best run
   std::vector<NamedValue> statistics;                           ///< of a fit
   std::vector<std::pair<std::string, std::size_t>> run_status;  ///< of a sweep: status, how many runs
-  std::vector<DatasetDescription> datasets;
+  std::vector<DatasetInfo> datasets;
 };
 
 /// Reads the whole file. Throws InputError as read_results does.
-Description describe(const std::filesystem::path& path);
+Inspection inspect_results(const std::filesystem::path& path);
 
 }  // namespace trunk::layout

@@ -1,4 +1,4 @@
-#include "results/inspect/description.hpp"
+#include "results/inspect/inspection.hpp"
 
 #include <map>
 
@@ -25,7 +25,7 @@ std::string type_name(hid_t dataset) {
   }
 }
 
-DatasetDescription describe_dataset(hid_t dataset, const std::string& path) {
+DatasetInfo info_of(hid_t dataset, const std::string& path) {
   const auto shape = hdf5::shape_of(dataset);
   return {path,
           hdf5::read_attribute_if_any(dataset, "units"),
@@ -43,12 +43,12 @@ void add_texts(hid_t object, const std::vector<std::string>& names,
   }
 }
 
-void add_run(hid_t root, Description& file) {
+void add_run(hid_t root, Inspection& file) {
   file.parameters = read_numbers(root, "parameters");
   file.measures = read_numbers(root, "measures");
 }
 
-void add_fit(hid_t root, Description& file) {
+void add_fit(hid_t root, Inspection& file) {
   const hdf5::Group result(H5Gopen2(root, "result", H5P_DEFAULT), "open result");
   add_texts(result, {"verdict", "stop_reason", "algorithm"}, file.heading);
   FitRecord fit;
@@ -58,29 +58,29 @@ void add_fit(hid_t root, Description& file) {
   file.measures = read_numbers(root, "best_run/measures");
 }
 
-void add_sweep(hid_t root, Description& file) {
+void add_sweep(hid_t root, Inspection& file) {
   std::map<std::string, std::size_t> counts;
   for (const std::string& status : hdf5::read_texts(root, "table/status")) ++counts[status];
   file.run_status.assign(counts.begin(), counts.end());
 }
 
-void add_provenance(hid_t root, Description& file) {
+void add_provenance(hid_t root, Inspection& file) {
   const hdf5::Group provenance(H5Gopen2(root, "provenance", H5P_DEFAULT), "open provenance");
   add_texts(provenance, hdf5::attribute_names(provenance), file.provenance);
 }
 
-void add_datasets(hid_t root, Description& file) {
+void add_datasets(hid_t root, Inspection& file) {
   hdf5::walk(root, [&](hid_t object, H5I_type_t kind, const std::string& path) {
     if (kind != H5I_DATASET) return;
     hdf5::verify(object, path);
-    file.datasets.push_back(describe_dataset(object, path));
+    file.datasets.push_back(info_of(object, path));
   });
 }
 
 }  // namespace
 
-Description describe(const std::filesystem::path& path) {
-  Description file;
+Inspection inspect_results(const std::filesystem::path& path) {
+  Inspection file;
   read_results(path, [&](hid_t root, const std::string& kind) {
     file.kind = kind;
     file.file_bytes = std::filesystem::file_size(path);

@@ -1,16 +1,16 @@
-#include "results/inspect/print_description.hpp"
+#include "results/inspect/print_inspection.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "results/inspect/description.hpp"
+#include "results/inspect/inspection.hpp"
 
 namespace trunk {
 namespace {
 
-using layout::Description;
+using layout::Inspection;
 using Texts = std::vector<std::pair<std::string, std::string>>;
 
 /// Text from a file goes to a terminal: no line breaks, no control sequences.
@@ -69,7 +69,7 @@ std::string print_runs(const std::vector<std::pair<std::string, std::size_t>>& c
   return out;
 }
 
-std::string print_datasets(const Description& file) {
+std::string print_datasets(const Inspection& file) {
   std::string out = "datasets (all read, checksums agree)\n";
   for (const auto& dataset : file.datasets) {
     out += fmt::format("  {:<44} {:<8} {:<16} {:<8} {:>12}\n", printable(dataset.path), dataset.type,
@@ -95,8 +95,8 @@ nlohmann::json to_json(const FitRecord::Parameter& parameter) {
 
 }  // namespace
 
-std::string describe_file(const std::filesystem::path& path) {
-  const Description file = layout::describe(path);
+std::string inspection_text(const std::filesystem::path& path) {
+  const Inspection file = layout::inspect_results(path);
   return fmt::format("{}: a {}, {}\n", path.string(), file.kind, file_size(file.file_bytes)) +
          print_texts("", file.heading) + print_runs(file.run_status) + print_fitted(file.fitted) +
          print_numbers("parameters", file.parameters) + print_numbers("statistics", file.statistics) +
@@ -104,8 +104,8 @@ std::string describe_file(const std::filesystem::path& path) {
          print_datasets(file);
 }
 
-std::string describe_file_json(const std::filesystem::path& path) {
-  const Description file = layout::describe(path);
+std::string inspection_json(const std::filesystem::path& path) {
+  const Inspection file = layout::inspect_results(path);
   nlohmann::json out = {{"schema", "trunk.inspect/1"}, {"file", path.string()}, {"kind", file.kind}};
   out["file_bytes"] = file.file_bytes;
   for (const auto& [name, text] : file.heading) out[name] = text;

@@ -9,18 +9,12 @@
 namespace trunk {
 
 /// What a sweep needs from a run that was done before.
-struct RunSummary {
+struct StoredRun {
   std::string title, status, message;
   std::vector<NamedValue> parameters, measures;  ///< in the order written
   std::vector<double> curve_time_s;              ///< [Tc]
   std::vector<double> curve_dV_ml;               ///< [Tc]; empty when the run has no curve `dV_model`
 };
-
-/// Whether there is a finished results file. False, not an error, for anything else.
-bool is_complete(const std::filesystem::path& path);
-
-/// "run", "fit" or "sweep". Throws InputError for anything else.
-std::string kind_of(const std::filesystem::path& path);
 
 /// The parameters of a run, or the best ones of a fit. Throws InputError for anything else.
 std::vector<NamedValue> read_parameters(const std::filesystem::path& path);
@@ -35,6 +29,6 @@ struct RunInputs {
 RunInputs read_run_inputs(const std::filesystem::path& path);
 
 /// Throws InputError when the file is not a finished run, or is damaged in what is read.
-RunSummary read_run_summary(const std::filesystem::path& path);
+StoredRun read_stored_run(const std::filesystem::path& path);
 
 }  // namespace trunk

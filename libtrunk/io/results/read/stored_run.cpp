@@ -1,4 +1,4 @@
-#include "results/read/summary.hpp"
+#include "results/read/stored_run.hpp"
 
 #include "errors/input_error.hpp"
 #include "results/hdf5/read.hpp"
@@ -8,7 +8,7 @@
 namespace trunk {
 namespace {
 
-void read_curve(hid_t root, RunSummary& run) {
+void read_curve(hid_t root, StoredRun& run) {
   if (!hdf5::has_link(root, "curves") || !hdf5::has_link(root, "curves/time")) return;
   run.curve_time_s = hdf5::read_doubles(root, "curves/time");
   if (!hdf5::has_link(root, "curves/dV_model")) return;
@@ -21,21 +21,6 @@ void read_curve(hid_t root, RunSummary& run) {
 }
 
 }  // namespace
-
-bool is_complete(const std::filesystem::path& path) {
-  try {
-    layout::read_results(path, [](hid_t, const std::string&) {});
-    return true;
-  } catch (const InputError&) {
-    return false;
-  }
-}
-
-std::string kind_of(const std::filesystem::path& path) {
-  std::string found;
-  layout::read_results(path, [&](hid_t, const std::string& kind) { found = kind; });
-  return found;
-}
 
 std::vector<NamedValue> read_parameters(const std::filesystem::path& path) {
   std::vector<NamedValue> parameters;
@@ -59,8 +44,8 @@ RunInputs read_run_inputs(const std::filesystem::path& path) {
   return inputs;
 }
 
-RunSummary read_run_summary(const std::filesystem::path& path) {
-  RunSummary run;
+StoredRun read_stored_run(const std::filesystem::path& path) {
+  StoredRun run;
   layout::read_results(path, [&](hid_t root, const std::string& kind) {
     if (kind != "run") throw InputError(path.string(), 0, "is a " + kind + ", expected a run");
     run.title = hdf5::read_attribute(root, "title");
