@@ -137,7 +137,7 @@ Exit print_findings(const Common& common, Findings& findings) {
   return good ? Exit::done : Exit::bad_input;
 }
 
-Exit check_command(const Common& common, const CheckRequest& request) {
+Exit check_command(const Common& common, CheckRequest request) {
   if (request.keys) {
     if (common.json)
       print_result(common, keys_json(), "");
@@ -147,10 +147,10 @@ Exit check_command(const Common& common, const CheckRequest& request) {
   }
   if (request.fit.scenario.empty() && request.fit.trace.empty())
     throw CLI::RequiredError("SCENARIO or --trace");
-  const FitRequest& fit = request.fit;
   Findings findings;
-  std::optional<ScenarioFile> file;
-  if (!fit.scenario.empty()) file = check_scenario(request, findings);
+  findings.notes = settle_files(request.fit);
+  const FitRequest& fit = request.fit;
+  const std::optional<ScenarioFile> file = check_scenario(request, findings);
   if (!fit.trace.empty()) check_trace(request, findings);
   check_fit(fit, file, findings.mistakes);
   return print_findings(common, findings);
@@ -162,7 +162,7 @@ void add_check(CLI::App& app, Common& common, Run& run) {
   auto* command =
       app.add_subcommand("check", "List all mistakes in a scenario and a trace; simulate nothing");
   const auto request = std::make_shared<CheckRequest>();
-  command->add_option("SCENARIO", request->fit.scenario, "scenario file (TOML)");
+  add_scenario_option(*command, request->fit);
   add_subject_options(*command, request->fit);
   command->add_flag("--keys", request->keys, "list all keys of a scenario with units, limits and defaults");
   command->add_flag("--json", common.json, "print one JSON object");

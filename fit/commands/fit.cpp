@@ -23,10 +23,12 @@ Execution watched(unsigned threads) {
   return {threads, [] { return interrupted(); }, report};
 }
 
-Exit fit_command(const Common& common, const FitRequest& request) {
+Exit fit_command(const Common& common, FitRequest request) {
+  const std::vector<std::string> notes = settle_files(request);
   FitJob job(request, watched(request.plan.estimation.execution.threads),
              {[](const std::string& text) { print_note("note: " + text); }, &print_progress});
   require_results_free(common, request, job);
+  for (const std::string& note : notes) print_note("note: " + note);
   for (const std::string& note : job.notes()) print_note("note: " + note);
   catch_interrupts();
   FitOutcome outcome;
@@ -48,7 +50,7 @@ Exit fit_command(const Common& common, const FitRequest& request) {
 void add_fit(CLI::App& app, Common& common, Run& run) {
   auto* command = app.add_subcommand("fit", "Fit k_elasticity and k_muscle to a lung volume trace");
   const auto r = std::make_shared<FitRequest>();
-  command->add_option("SCENARIO", r->scenario, "scenario file (TOML)");
+  add_scenario_option(*command, *r);
   command->add_option(
       "--cohort", r->cohort,
       "fit many: a table (CSV) with columns subject, trace, and, where it differs from subject "

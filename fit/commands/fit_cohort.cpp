@@ -161,10 +161,12 @@ void report(const Common& common, const CohortFolder& folder, const std::vector<
 
 }  // namespace
 
-Exit fit_cohort(const Common& common, const FitRequest& request, const std::string& typed) {
+Exit fit_cohort(const Common& common, FitRequest request, const std::string& typed) {
   if (!request.save_scenario.empty())
     throw InputError("--save-scenario names one file, expected one subject instead of --cohort");
+  const std::vector<std::string> notes = settle_files(request);
   CohortFit fit(common, request, typed);
+  for (const std::string& note : notes) print_note("note: " + note);
   catch_interrupts();
   const auto start = std::chrono::steady_clock::now();
   const std::size_t subjects = fit.list().subjects.size();

@@ -53,7 +53,6 @@ void save_scenario(const FitRequest& request, const Scenario& scenario) {
 
 FitJob::FitJob(const FitRequest& request, Execution execution, FitListener listener)
     : request_(request), listener_(std::move(listener)) {
-  if (request_.scenario.empty()) throw InputError("no scenario named, expected one: trunk fit SCENARIO …");
   ScenarioFile file = read_scenario(request_.scenario, request_.settings);
   FitPlan plan = plan_of(request_);
   plan.estimation.execution = std::move(execution);

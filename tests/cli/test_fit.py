@@ -165,6 +165,50 @@ class Fit(TrunkTest):
         self.refused("fit", own, "--tidal-volume-ml", "300", "-o", "f.h5", "--save-scenario", "./f.h5", says="f.h5")
 
 
+class WithoutScenario(TrunkTest):
+    """A trace alone is fitted with the scenario that comes with the program, from any folder."""
+
+    def setUp(self):
+        super().setUp()
+        (self.folder / "elsewhere").mkdir()
+        self.file("elsewhere/t.csv", trace())
+
+    def test_takes_the_shipped_one_and_says_so(self):
+        whole = self.succeeds("fit", HEALTHY, "--trace", "elsewhere/t.csv", "-o", "f.h5", *FAST_FIT, codes=FITTED)
+        for name, files in (("a.h5", ["elsewhere/t.csv"]), ("b.h5", ["--trace", "elsewhere/t.csv"])):
+            outcome = self.trunk("fit", *files, "-o", name, *FAST_FIT, "--json")
+            self.assertRegex(outcome.err, r"\Anote: no scenario is named, so trunk takes \S*scenarios/healthy\.toml\n\Z")
+            fit = outcome.json()
+            del fit["wall_s"]
+            self.assertEqual(fit, {key: value for key, value in whole.items() if key != "wall_s"})
+            inputs = self.succeeds("inspect", name)["provenance"]["input_sha256"]
+            self.assertIn("healthy.toml", str(inputs))
+            self.assertIn("t.csv", str(inputs))
+
+    def test_one_number(self):
+        fit = self.succeeds("fit", "--tidal-volume-ml", "300", "-o", "f.h5", *FAST_FIT)
+        self.assertEqual(set(fit["parameters"]), {"k_muscle"})
+
+    def test_check_does_the_same(self):
+        for files in (["elsewhere/t.csv"], ["--trace", "elsewhere/t.csv"]):
+            checked = self.succeeds("check", *files)
+            self.assertEqual((checked["particles"], checked["breaths_used"]), (113, 5))
+            self.assertRegex(checked["scenario"], r"scenarios/healthy\.toml$")
+            self.assertRegex(checked["notes"][0], "no scenario is named")
+        self.refused("check", "elsewhere/t.csv", "--fix", "k_elasticity=2", says="--fix k_elasticity=2: .*expected 400 to")
+
+    def test_two_traces_are_refused(self):
+        for command in (("fit", "a.csv", "--trace", "b.csv", "-o", "f.h5"), ("check", "a.csv", "--trace", "b.csv")):
+            self.refused(*command, says=r"a\.csv: is taken as a trace, .*\.toml, .*b\.csv; expected one trace")
+        self.refused("fit", "a.csv", "--cohort", "list.csv", "-o", "d", says=r"a\.csv: is taken as a trace.*list\.csv")
+        self.refused("fit", "elsewhere/t.csv", "--tidal-volume-ml", "500", "-o", "f.h5", says="one of the two")
+
+    def test_an_error_is_one_line(self):
+        self.refused("fit", "none.csv", "-o", "f.h5", says="none.csv")
+        self.refused("fit", "none.toml", "--trace", "elsewhere/t.csv", "-o", "f.h5", says="none.toml")
+        self.refused("fit", "-o", "f.h5", says="--trace FILE or --tidal-volume-ml")
+
+
 class Interrupted(TrunkTest):
     OPTIONS = ("fit", HEALTHY, "--trace", "t.csv", "-o", "f.h5", *FAST_FIT)
 

@@ -1,13 +1,16 @@
 #include "commands/options/fit_options.hpp"
 
-#include "commands/options/breath_options.hpp"
-
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 
+#include "commands/options/breath_options.hpp"
+#include "commands/options/shipped_files.hpp"
 #include "errors/input_error.hpp"
 
 namespace trunk {
@@ -40,6 +43,13 @@ Prior prior_of(const std::string& text) {
                                  factor ? "a factor above 1, at most 1000" : "a standard deviation above 0"));
   if (factor) prior.deviation = std::log(prior.deviation);
   return prior;
+}
+
+bool names_scenario(const std::string& file) {
+  std::string ending = std::filesystem::path(file).extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return ending == ".toml";
 }
 
 /// A setting that the trace would overwrite is a contradiction, not a wish.
@@ -75,6 +85,29 @@ FitPlan plan_of(const FitRequest& request) {
   if (request.surface > 0 || request.force_profiles)
     plan.estimation.budget_s = std::numeric_limits<double>::infinity();
   return plan;
+}
+
+void add_scenario_option(CLI::App& command, FitRequest& request) {
+  command.add_option("SCENARIO", request.scenario,
+                     "scenario file, which ends in .toml [healthy.toml, which comes with trunk]; any other file "
+                     "is taken as the trace");
+}
+
+std::vector<std::string> settle_files(FitRequest& request) {
+  if (!request.scenario.empty() && !names_scenario(request.scenario)) {
+    const Place file{request.scenario};
+    const std::string found = "is taken as a trace, because its name does not end in .toml";
+    if (!request.trace.empty())
+      throw InputError(file, found + ", and --trace names another: " + request.trace, "one trace");
+    if (!request.cohort.empty())
+      throw InputError(file, found + ", and --cohort names a list of traces: " + request.cohort,
+                       "one of the two");
+    request.trace = std::move(request.scenario);
+    request.scenario.clear();
+  }
+  if (!request.scenario.empty()) return {};
+  request.scenario = shipped_file("scenarios/healthy.toml", "SCENARIO").string();
+  return {"no scenario is named, so trunk takes " + request.scenario};
 }
 
 void add_subject_options(CLI::App& command, FitRequest& r) {
