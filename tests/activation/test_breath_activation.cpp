@@ -1,7 +1,7 @@
-#include <catch2/catch.hpp>
 #include <cmath>
 
 #include "activation/breath_activation.hpp"
+#include "support/catch.hpp"
 
 using namespace trunk;
 

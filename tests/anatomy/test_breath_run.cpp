@@ -1,6 +1,6 @@
-#include <catch2/catch.hpp>
 #include <cmath>
 
+#include "support/catch.hpp"
 #include "support/trunks.hpp"
 
 using namespace trunk;
@@ -158,9 +158,8 @@ TEST_CASE("A force on a region moves it, an unknown region is named", "[unit][an
   CHECK(run.ending.completed());
   CHECK(run.measures.delta_v > 10e-6);
   scenario.loads[0].region = "liver";
-  CHECK_THROWS_WITH(make_trunk(scenario), Catch::Matchers::Contains("here:7") &&
-                                              Catch::Matchers::Contains("'liver'") &&
-                                              Catch::Matchers::Contains("abdominal_wall"));
+  CHECK_THROWS_WITH(make_trunk(scenario),
+                    Contains("here:7") && Contains("'liver'") && Contains("abdominal_wall"));
 }
 
 TEST_CASE("A symmetric trunk moves symmetrically", "[property][anatomy][slow]") {

@@ -1,10 +1,10 @@
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "files/sha256.hpp"
+#include "support/catch.hpp"
 #include "support/trunks.hpp"
 
 /// Holds the simulator against trajectories that the independent oracle wrote (reference/golden).

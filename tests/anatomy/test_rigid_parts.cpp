@@ -1,18 +1,17 @@
 #include "anatomy/rigid_parts.hpp"
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <set>
 
 #include "errors/input_error.hpp"
 #include "math/units.hpp"
 #include "scenarios/build_trunk.hpp"
+#include "support/catch.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/trunks.hpp"
 
 using namespace trunk;
 using namespace trunk::test;
-using Catch::Matchers::Contains;
 
 namespace {
 

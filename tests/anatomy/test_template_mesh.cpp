@@ -1,16 +1,15 @@
 #include "anatomy/template_mesh.hpp"
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <set>
 
 #include "errors/input_error.hpp"
 #include "mesh/volume.hpp"
+#include "support/catch.hpp"
 #include "support/trunks.hpp"
 
 using namespace trunk;
-using Catch::Matchers::Contains;
 
 namespace {
 

@@ -1,9 +1,9 @@
 #include "constraints/contact.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 
 #include "dynamics/step.hpp"
+#include "support/catch.hpp"
 #include "support/trunks.hpp"
 
 using namespace trunk;

@@ -1,7 +1,6 @@
 #include "constraints/displacement.hpp"
 
-#include <catch2/catch.hpp>
-
+#include "support/catch.hpp"
 #include "support/trunks.hpp"
 
 using namespace trunk;

@@ -1,8 +1,8 @@
 #include "constraints/volume_and_contact.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 
+#include "support/catch.hpp"
 #include "support/trunks.hpp"
 
 using namespace trunk;

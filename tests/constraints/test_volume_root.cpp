@@ -1,9 +1,9 @@
 #include "constraints/volume_root.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 
 #include "constraints/volume_and_contact.hpp"
+#include "support/catch.hpp"
 #include "support/trunks.hpp"
 
 using namespace trunk;

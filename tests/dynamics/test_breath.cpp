@@ -1,8 +1,8 @@
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <cstring>
 
 #include "support/allocations.hpp"
+#include "support/catch.hpp"
 #include "support/trunks.hpp"
 
 using namespace trunk;

@@ -1,6 +1,6 @@
-#include <catch2/catch.hpp>
 #include <cmath>
 
+#include "support/catch.hpp"
 #include "support/trunks.hpp"
 
 using namespace trunk;
@@ -77,7 +77,7 @@ TEST_CASE("A particle blown out of the trunk ends the run as diverged", "[unit][
   model.focal_forces = {{lung, {0, 0, 1}, PiecewiseLinear({{0.0, 100.0}})}};
   int last_seen = 0;
   const Ending ending = simulate(model, scenario.parameters, scenario.activation, {1e-3, 1.0},
-                                   [&](int n, double, const auto&, const auto&) { last_seen = n; });
+                                 [&](int n, double, const auto&, const auto&) { last_seen = n; });
   CHECK(ending.status == Ending::Status::diverged);
   CHECK(last_seen == ending.steps - 1);
   CHECK(ending.time_s < 0.1);  // 1/2 500 m/s2 t^2 leaves a trunk of under 1 m

@@ -1,9 +1,9 @@
 #include "math/dual.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 
 #include "support/allocations.hpp"
+#include "support/catch.hpp"
 #include "support/random.hpp"
 #include "support/trunks.hpp"
 

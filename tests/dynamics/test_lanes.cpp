@@ -1,10 +1,10 @@
 #include "math/lanes.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <cstring>
 
 #include "support/allocations.hpp"
+#include "support/catch.hpp"
 #include "support/random.hpp"
 #include "support/trunks.hpp"
 

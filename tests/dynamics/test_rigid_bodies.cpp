@@ -1,7 +1,7 @@
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <cmath>
 
+#include "support/catch.hpp"
 #include "support/trunks.hpp"
 
 using namespace trunk;
@@ -196,7 +196,6 @@ TEST_CASE("A driven body goes where it is told, with what it carries", "[unit][d
 }
 
 TEST_CASE("What a rigid component cannot be is refused", "[unit][dynamics]") {
-  using Catch::Matchers::Contains;
   Model model = free_body(box(0.2, 0.1, 0.15), Reaction::variational, 0.2);
   CHECK_THROWS_WITH(carry(free_rigid({0, 1}), model), Contains("on a line"));
   CHECK_THROWS_WITH(carry(free_rigid({}), model), Contains("carries no particle"));

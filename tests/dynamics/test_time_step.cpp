@@ -1,8 +1,8 @@
-#include <catch2/catch.hpp>
 #include <cmath>
 
 #include "dynamics/auto_time_step.hpp"
 #include "dynamics/stability.hpp"
+#include "support/catch.hpp"
 #include "support/trunks.hpp"
 
 using namespace trunk;
@@ -36,7 +36,7 @@ double rms(const std::vector<double>& a, const std::vector<double>& b) {
 }
 
 Ending run_at(const Model& model, const Parameters<double>& parameters, double dt_s, int steps,
-               double* last_energy_over_first = nullptr) {
+              double* last_energy_over_first = nullptr) {
   // Full activation from the start shakes every mode.
   const BreathActivation<double> full{-2.0, 2.0, 1e9, 1.0, 1.0, 0.0};
   double first = 0.0;

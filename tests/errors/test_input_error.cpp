@@ -1,6 +1,5 @@
 #include "errors/input_error.hpp"
-
-#include <catch2/catch.hpp>
+#include "support/catch.hpp"
 
 using namespace trunk;
 

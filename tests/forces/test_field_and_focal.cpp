@@ -1,7 +1,6 @@
-#include <catch2/catch.hpp>
-
 #include "forces/field.hpp"
 #include "forces/focal.hpp"
+#include "support/catch.hpp"
 #include "support/trunks.hpp"
 
 using namespace trunk;

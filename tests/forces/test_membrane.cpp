@@ -1,8 +1,8 @@
 #include "forces/membrane.hpp"
 
-#include <catch2/catch.hpp>
 #include <set>
 
+#include "support/catch.hpp"
 #include "support/trunks.hpp"
 
 using namespace trunk;

@@ -1,7 +1,6 @@
 #include "forces/pressure.hpp"
 
-#include <catch2/catch.hpp>
-
+#include "support/catch.hpp"
 #include "support/trunks.hpp"
 
 using namespace trunk;

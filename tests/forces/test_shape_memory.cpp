@@ -1,12 +1,11 @@
-#include <catch2/catch.hpp>
 #include <cmath>
 
 #include "errors/input_error.hpp"
+#include "support/catch.hpp"
 #include "support/trunks.hpp"
 
 using namespace trunk;
 using namespace trunk::test;
-using Catch::Matchers::Contains;
 
 namespace {
 

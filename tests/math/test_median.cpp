@@ -1,6 +1,5 @@
 #include "math/median.hpp"
-
-#include <catch2/catch.hpp>
+#include "support/catch.hpp"
 
 using trunk::median;
 using trunk::upper_median;

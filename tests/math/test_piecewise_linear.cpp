@@ -1,11 +1,10 @@
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
 
 #include "math/piecewise_linear.hpp"
+#include "support/catch.hpp"
 
 using namespace trunk;
-using Catch::Matchers::Contains;
 
 TEST_CASE("A piecewise linear value passes through its events and is linear between", "[unit][math]") {
   const PiecewiseLinear curve({{1.0, 2.0}, {2.0, 6.0}, {4.0, 0.0}});

@@ -1,6 +1,6 @@
 #include "math/units.hpp"
+#include "support/catch.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 
 using namespace trunk;

@@ -1,9 +1,9 @@
 #include <bit>
-#include <catch2/catch.hpp>
 #include <cstdint>
 #include <limits>
 
 #include "math/vec3.hpp"
+#include "support/catch.hpp"
 #include "support/random.hpp"
 
 using namespace trunk;

@@ -1,14 +1,13 @@
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <set>
 
 #include "errors/input_error.hpp"
 #include "mesh/ring_table.hpp"
+#include "support/catch.hpp"
 #include "support/zoo.hpp"
 
 using namespace trunk;
 using namespace trunk::test;
-using Catch::Matchers::Contains;
 
 namespace {
 

@@ -1,14 +1,12 @@
-#include <catch2/catch.hpp>
-
 #include "errors/input_error.hpp"
 #include "math/units.hpp"
 #include "registration/insertion_line.hpp"
-#include "registration/target_surface.hpp"
 #include "registration/subject.hpp"
+#include "registration/target_surface.hpp"
+#include "support/catch.hpp"
 
 using namespace trunk;
 using namespace trunk::test;
-using Catch::Matchers::Contains;
 
 namespace {
 

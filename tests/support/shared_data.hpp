@@ -1,10 +1,11 @@
 #pragma once
 
-#include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <string>
+
+#include "support/catch.hpp"
 
 namespace trunk::test {
 

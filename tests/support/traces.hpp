@@ -1,9 +1,9 @@
 #pragma once
 
-#include <catch2/catch.hpp>
 #include <string>
 
 #include "errors/input_error.hpp"
+#include "support/catch.hpp"
 #include "support/temporary_folder.hpp"
 #include "traces/read_trace.hpp"
 
@@ -21,7 +21,7 @@ inline std::string trace_error_at(const std::filesystem::path& path, const Trace
   } catch (const InputError& error) {
     std::string text = error.what();
     const std::string name = path.string();
-    REQUIRE_THAT(text, Catch::Matchers::StartsWith(name + ":"));
+    REQUIRE_THAT(text, StartsWith(name + ":"));
     REQUIRE(text.find('\n') == std::string::npos);
     return text.replace(0, name.size(), "FILE");
   }

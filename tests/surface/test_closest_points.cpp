@@ -1,14 +1,13 @@
 #include <algorithm>
-#include <catch2/catch.hpp>
 
 #include "errors/input_error.hpp"
+#include "support/catch.hpp"
 #include "support/zoo.hpp"
 #include "surface/distances.hpp"
 #include "surface/signed_distance.hpp"
 
 using namespace trunk;
 using namespace trunk::test;
-using Catch::Matchers::Contains;
 
 namespace {
 

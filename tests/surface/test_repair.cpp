@@ -1,9 +1,9 @@
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <numbers>
 
 #include "errors/input_error.hpp"
 #include "mesh/volume.hpp"
+#include "support/catch.hpp"
 #include "support/zoo.hpp"
 #include "surface/align.hpp"
 #include "surface/axes.hpp"
@@ -12,7 +12,6 @@
 
 using namespace trunk;
 using namespace trunk::test;
-using Catch::Matchers::Contains;
 
 namespace {
 

@@ -1,13 +1,11 @@
-#include <catch2/catch.hpp>
-
 #include <filesystem>
 
 #include "breaths/mean_breath.hpp"
 #include "support/breath_records.hpp"
+#include "support/catch.hpp"
 #include "traces/read_trace.hpp"
 
 using namespace trunk;
-using Catch::Matchers::Contains;
 
 TEST_CASE("the mean breath keeps shape, timing and size", "[unit][breaths]") {
   Record record;

@@ -1,11 +1,9 @@
-#include <catch2/catch.hpp>
-
 #include <chrono>
 
 #include "support/breath_records.hpp"
+#include "support/catch.hpp"
 
 using namespace trunk;
-using Catch::Matchers::Contains;
 
 namespace {
 

@@ -1,14 +1,12 @@
-#include <catch2/catch.hpp>
-
 #include <cmath>
 
 #include "breaths/mean_breath.hpp"
 #include "breaths/selection.hpp"
 #include "breaths/turn_fit.hpp"
 #include "support/breath_records.hpp"
+#include "support/catch.hpp"
 
 using namespace trunk;
-using Catch::Matchers::Contains;
 using BreathNumbers = std::vector<std::size_t>;
 
 TEST_CASE("numbers of breaths and ranges of them", "[unit][breaths]") {

@@ -1,6 +1,5 @@
-#include <catch2/catch.hpp>
-
 #include "comparison/compare.hpp"
+#include "support/catch.hpp"
 #include "support/result_records.hpp"
 
 using namespace trunk;

@@ -1,12 +1,10 @@
-#include <catch2/catch.hpp>
-
 #include <cstdint>
 
 #include "estimation/estimate.hpp"
+#include "support/catch.hpp"
 #include "support/trunks.hpp"
 
 using namespace trunk;
-using Catch::Matchers::Contains;
 
 namespace {
 

@@ -1,15 +1,14 @@
 #include "ledger/ledger.hpp"
 
-#include <catch2/catch.hpp>
 #include <fstream>
 
 #include "errors/input_error.hpp"
 #include "problem/objective.hpp"
+#include "support/catch.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/trunks.hpp"
 
 using namespace trunk;
-using Catch::Matchers::Contains;
 
 TEST_CASE("entries survive their ledger, bit for bit", "[unit]") {
   const test::TemporaryFolder folder;

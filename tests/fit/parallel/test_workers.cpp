@@ -1,9 +1,9 @@
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <numeric>
 #include <stdexcept>
 
 #include "parallel/workers.hpp"
+#include "support/catch.hpp"
 
 using namespace trunk;
 

@@ -1,13 +1,11 @@
-#include <catch2/catch.hpp>
-
 #include <set>
 
 #include "errors/input_error.hpp"
 #include "problem/search_space.hpp"
 #include "scenarios/keys.hpp"
+#include "support/catch.hpp"
 
 using namespace trunk;
-using Catch::Matchers::Contains;
 
 namespace {
 

@@ -1,7 +1,6 @@
-#include <catch2/catch.hpp>
-
 #include "dynamics/stability.hpp"
 #include "problem/objective.hpp"
+#include "support/catch.hpp"
 #include "support/trunks.hpp"
 
 using namespace trunk;

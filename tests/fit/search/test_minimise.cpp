@@ -1,14 +1,12 @@
-#include <catch2/catch.hpp>
-
 #include <cmath>
 #include <stdexcept>
 
 #include "errors/input_error.hpp"
 #include "search/minimise.hpp"
 #include "search/multistart.hpp"
+#include "support/catch.hpp"
 
 using namespace trunk;
-using Catch::Matchers::Contains;
 
 namespace {
 

@@ -1,6 +1,5 @@
 // Problems whose answers others have certified, through the same search and the same standard errors as a
 // breath.
-#include <catch2/catch.hpp>
 
 #include <cmath>
 #include <fstream>
@@ -8,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "search/minimise.hpp"
+#include "support/catch.hpp"
 #include "uncertainty/noise.hpp"
 
 using namespace trunk;

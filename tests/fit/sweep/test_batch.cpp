@@ -1,11 +1,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <chrono>
 #include <numeric>
 
 #include "anatomy/breath_run.hpp"
+#include "support/catch.hpp"
 #include "support/temporary_folder.hpp"
 #include "sweep/design.hpp"
 #include "sweep/run_sweep.hpp"

@@ -1,14 +1,13 @@
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <map>
 #include <set>
 
 #include "errors/input_error.hpp"
+#include "support/catch.hpp"
 #include "support/temporary_folder.hpp"
 #include "sweep/design.hpp"
 
 using namespace trunk;
-using Catch::Matchers::Contains;
 
 namespace {
 

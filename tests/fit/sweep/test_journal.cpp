@@ -1,8 +1,8 @@
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <fstream>
 #include <iterator>
 
+#include "support/catch.hpp"
 #include "support/temporary_folder.hpp"
 #include "sweep/journal.hpp"
 

@@ -1,9 +1,9 @@
 // Do the intervals keep their promise? The simulator's own breath with noise, fitted again and again.
-#include <catch2/catch.hpp>
 
 #include <random>
 
 #include "search/minimise.hpp"
+#include "support/catch.hpp"
 #include "support/trunks.hpp"
 #include "uncertainty/bootstrap.hpp"
 #include "uncertainty/likelihood_surface.hpp"

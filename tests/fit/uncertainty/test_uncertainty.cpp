@@ -1,5 +1,3 @@
-#include <catch2/catch.hpp>
-
 #include <Eigen/Dense>
 #include <random>
 #include <vector>
@@ -7,11 +5,11 @@
 #include "compartment/one_compartment.hpp"
 #include "math/median.hpp"
 #include "problem/target.hpp"
+#include "support/catch.hpp"
 #include "uncertainty/uncertainty.hpp"
 #include "uncertainty/verdict.hpp"
 
 using namespace trunk;
-using Catch::Matchers::Contains;
 
 namespace {
 

@@ -1,14 +1,12 @@
-#include <catch2/catch.hpp>
-
 #include <cmath>
 #include <set>
 
 #include "errors/input_error.hpp"
+#include "support/catch.hpp"
 #include "support/temporary_folder.hpp"
 #include "validation/bounds.hpp"
 
 using namespace trunk;
-using Catch::Matchers::Contains;
 
 namespace {
 

@@ -1,5 +1,4 @@
 #include <bit>
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -10,12 +9,12 @@
 #include "pml/load_vocabulary.hpp"
 #include "pml/read_lml.hpp"
 #include "pml/write_lml.hpp"
+#include "support/catch.hpp"
 #include "support/random.hpp"
 #include "support/shared_data.hpp"
 
 using namespace trunk;
 using namespace trunk::pml;
-using Catch::Matchers::Contains;
 using trunk::test::Random;
 using trunk::test::shared_surface;
 

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <bit>
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -9,6 +8,7 @@
 #include "errors/input_error.hpp"
 #include "pml/read_pml.hpp"
 #include "pml/write_pml.hpp"
+#include "support/catch.hpp"
 #include "support/random.hpp"
 #include "support/shared_data.hpp"
 
@@ -201,7 +201,6 @@ TEST_CASE("An empty informative part is left out", "[unit][pml]") {
 }
 
 TEST_CASE("A model that would not read back is not written", "[unit][pml]") {
-  using Catch::Matchers::Contains;
   const auto refuses = [](auto damage, const std::string& part) {
     PhysicalModel model = small_model();
     REQUIRE_NOTHROW(write_pml(model));

@@ -1,12 +1,10 @@
-#include <catch2/catch.hpp>
-
 #include "errors/input_error.hpp"
 #include "pml/cell_types.hpp"
 #include "pml/read_pml.hpp"
+#include "support/catch.hpp"
 
 using namespace trunk;
 using namespace trunk::pml;
-using Catch::Matchers::Contains;
 
 namespace {
 

@@ -1,16 +1,15 @@
 #include <matio.h>
-#include <catch2/catch.hpp>
 
 #include <cmath>
 #include <fstream>
 #include <iterator>
 
+#include "support/catch.hpp"
 #include "support/edf_file.hpp"
 #include "support/traces.hpp"
 
 using namespace trunk;
 using namespace trunk::test;
-using Catch::Matchers::Contains;
 
 namespace {
 

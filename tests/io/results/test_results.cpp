@@ -2,7 +2,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <catch2/catch.hpp>
 #include <csignal>
 #include <cstdlib>
 #include <thread>
@@ -17,12 +16,12 @@
 #include "results/write/write_fit.hpp"
 #include "results/write/write_run.hpp"
 #include "results/write/write_sweep.hpp"
+#include "support/catch.hpp"
 #include "support/result_records.hpp"
 
 using namespace trunk;
 using namespace trunk::test;
 namespace fs = std::filesystem;
-using Catch::Matchers::Contains;
 
 namespace {
 

@@ -1,4 +1,3 @@
-#include <catch2/catch.hpp>
 #include <random>
 
 #include "errors/input_error.hpp"
@@ -7,12 +6,12 @@
 #include "results/read/results_kind.hpp"
 #include "results/read/stored_run.hpp"
 #include "results/write/write_run.hpp"
+#include "support/catch.hpp"
 #include "support/result_records.hpp"
 
 using namespace trunk;
 using namespace trunk::test;
 namespace fs = std::filesystem;
-using Catch::Matchers::Contains;
 
 namespace {
 

@@ -1,16 +1,15 @@
-#include <catch2/catch.hpp>
 #include <fstream>
 #include <sstream>
 
 #include "errors/input_error.hpp"
 #include "scenarios/build_trunk.hpp"
 #include "scenarios/keys.hpp"
+#include "support/catch.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/trunks.hpp"
 
 using namespace trunk;
 using namespace trunk::test;
-using Catch::Matchers::Contains;
 
 namespace {
 

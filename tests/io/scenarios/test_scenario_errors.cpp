@@ -1,15 +1,14 @@
-#include <catch2/catch.hpp>
 #include <limits>
 
 #include "errors/input_error.hpp"
 #include "scenarios/read_scenario.hpp"
+#include "support/catch.hpp"
 #include "support/messages.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/trunks.hpp"
 
 using namespace trunk;
 using namespace trunk::test;
-using Catch::Matchers::Contains;
 
 namespace {
 

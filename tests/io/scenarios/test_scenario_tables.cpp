@@ -1,10 +1,10 @@
-#include <catch2/catch.hpp>
 #include <filesystem>
 
 #include "anatomy/template_mesh.hpp"
 #include "errors/input_error.hpp"
 #include "math/units.hpp"
 #include "scenarios/build_trunk.hpp"
+#include "support/catch.hpp"
 #include "support/messages.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/trunks.hpp"
@@ -12,7 +12,6 @@
 
 using namespace trunk;
 using namespace trunk::test;
-using Catch::Matchers::Contains;
 using Kind = RegionLoad::Kind;
 using Motion = RigidBody::Motion;
 
@@ -66,7 +65,7 @@ events_mm = [[1, 0], [2, 5]]
   CHECK(s.rigid[0].motion == Motion::fixed);  // the default
   CHECK(s.rigid[0].surface_for.empty());
   CHECK(s.rigid[1].motion == Motion::free);
-  CHECK_THAT(s.rigid[1].at.text(), Catch::Matchers::EndsWith("own.toml:5"));
+  CHECK_THAT(s.rigid[1].at.text(), EndsWith("own.toml:5"));
   const RigidPart& half = s.rigid[2];
   CHECK(half.motion == Motion::driven);
   CHECK(half.surface_for == "zone_of_apposition_right");

@@ -1,6 +1,5 @@
-#include <catch2/catch.hpp>
-
 #include "errors/input_error.hpp"
+#include "support/catch.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/zoo.hpp"
 #include "surfaces/formats/raw_surface.hpp"
@@ -8,7 +7,6 @@
 
 using namespace trunk;
 using namespace trunk::test;
-using Catch::Matchers::Contains;
 
 namespace {
 

@@ -1,8 +1,8 @@
 #include <zlib.h>
 
-#include <catch2/catch.hpp>
 #include <cstring>
 
+#include "support/catch.hpp"
 #include "support/shared_data.hpp"
 #include "surfaces/formats/raw_surface.hpp"
 

@@ -1,14 +1,12 @@
-#include <catch2/catch.hpp>
-
 #include <filesystem>
 #include <string>
 
+#include "support/catch.hpp"
 #include "support/traces.hpp"
 #include "traces/read_trace.hpp"
 
 using namespace trunk;
 using namespace trunk::test;
-using Catch::Matchers::Contains;
 
 namespace {
 

@@ -1,5 +1,4 @@
-#include <catch2/catch.hpp>
-
+#include "support/catch.hpp"
 #include "support/traces.hpp"
 #include "tables/clock_time.hpp"
 #include "tables/column_names.hpp"
@@ -7,7 +6,6 @@
 
 using namespace trunk;
 using namespace trunk::test;
-using Catch::Matchers::Contains;
 
 namespace {
 

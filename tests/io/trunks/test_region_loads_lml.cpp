@@ -1,17 +1,16 @@
 #include "trunks/region_loads_lml.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <numeric>
 
 #include "errors/input_error.hpp"
 #include "scenarios/build_trunk.hpp"
+#include "support/catch.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/trunks.hpp"
 
 using namespace trunk;
 using namespace trunk::test;
-using Catch::Matchers::Contains;
 using Kind = RegionLoad::Kind;
 
 namespace {
@@ -80,7 +79,7 @@ TEST_CASE("Each kind of load is read in SI units", "[unit][io]") {
     CHECK(read.region == "pelvis");
     CHECK(norm(read.direction - Vec3d{2, 0, -1}) == 0.0);
     CHECK(read.magnitude(0.0) == Approx(si).epsilon(1e-15));
-    CHECK_THAT(read.at.text(), Catch::Matchers::EndsWith("some.lml:2"));
+    CHECK_THAT(read.at.text(), EndsWith("some.lml:2"));
   };
   is("Translation", "", Kind::displacement, 1e-3);
   is("Translation", "mm", Kind::displacement, 1e-3);

@@ -1,17 +1,16 @@
 #include "trunks/read_trunk_pml.hpp"
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <cmath>
 
 #include "anatomy/template_mesh.hpp"
 #include "errors/input_error.hpp"
+#include "support/catch.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/trunks.hpp"
 
 using namespace trunk;
 using namespace trunk::test;
-using Catch::Matchers::Contains;
 
 namespace {
 
