@@ -6,10 +6,10 @@ runtime_packages=(g++ cmake ninja-build pkg-config git
   libcli11-dev libfmt-dev nlohmann-json3-dev libtomlplusplus-dev libpugixml-dev libmatio-dev libedf-dev zlib1g-dev
   python3 python3-h5py python3-matplotlib python3-numpy)
 
-# Also needed by the tests: other people's readers of the results (MDAnalysis and VTK take most of a minute), and a browser
-# with its own driver, which is of the same version always.
-test_packages=(catch2 clang-format hdf5-tools python3-h5netcdf python3-mdanalysis python3-netcdf4 python3-pandas python3-vtk9
-  python3-xarray chromium chromium-driver python3-selenium)
+# Also needed by the tests: other people's readers of the results (MDAnalysis and VTK take most of a minute to install),
+# and a browser with the driver of the same version.
+test_packages=(catch2 clang-format hdf5-tools python3-h5netcdf python3-mdanalysis python3-netcdf4 python3-pandas
+  python3-vtk9 python3-xarray chromium chromium-driver python3-selenium)
 
 say() { printf '\n== %s\n' "$*"; }
 
@@ -30,10 +30,15 @@ install_packages() {
   "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends "${missing[@]}"
 }
 
+# configure PRESET: prints what CMake says only where it fails.
+configure() {
+  local log
+  log=$(cmake --preset "$1" -Wno-dev 2>&1) || { printf '%s\n' "$log"; return 1; }
+}
+
 # build_with PRESET: configures and builds in the folder the preset names.
 build_with() {
   say "Building ($1)"
-  local log
-  log=$(cmake --preset "$1" -Wno-dev 2>&1) || { printf '%s\n' "$log"; return 1; }
+  configure "$1"
   cmake --build --preset "$1"
 }

@@ -47,7 +47,7 @@ struct Dual {
   friend constexpr bool operator<(const Dual& a, const Dual& b) noexcept { return a.value < b.value; }
   friend constexpr Dual select(bool mask, const Dual& a, const Dual& b) noexcept { return mask ? a : b; }
   friend constexpr double in_lane(const Dual& a, int) noexcept { return a.value; }
-  friend constexpr void set_lane(Dual& a, int, double value) noexcept { a = Dual(value); }
+  friend constexpr void set_lane(Dual& a, int, double v) noexcept { a = Dual(v); }
 };
 
 }  // namespace trunk

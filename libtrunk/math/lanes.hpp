@@ -82,7 +82,7 @@ inline constexpr int lanes_of<Lanes<W>> = W;
 
 #ifdef __AVX__
 /// Four vectors as one vector of lanes, and back: a transposition of (x, y, z, 0) rows.
-constexpr Vec3<Lanes<4>> packed(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d) noexcept {
+inline Vec3<Lanes<4>> packed(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d) noexcept {
   const auto ab02 = __builtin_shufflevector(a.bits(), b.bits(), 0, 4, 2, 6);
   const auto ab13 = __builtin_shufflevector(a.bits(), b.bits(), 1, 5, 3, 7);
   const auto cd02 = __builtin_shufflevector(c.bits(), d.bits(), 0, 4, 2, 6);
@@ -95,7 +95,7 @@ constexpr Vec3<Lanes<4>> packed(const Vec3d& a, const Vec3d& b, const Vec3d& c, 
 struct Unpacked {
   Vec3d lane[4];
 };
-constexpr Unpacked unpacked(const Vec3<Lanes<4>>& v) noexcept {
+inline Unpacked unpacked(const Vec3<Lanes<4>>& v) noexcept {
   const auto x = v.x().bits(), y = v.y().bits(), z = v.z().bits();
   const auto none = Lanes<4>().bits();
   const auto xy02 = __builtin_shufflevector(x, y, 0, 4, 2, 6),

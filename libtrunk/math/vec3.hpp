@@ -46,7 +46,8 @@ class Vec3 {
 };
 
 /// The same as (x, y, z, 0) in one 4-wide register, or in two halves where the instruction set has none; the
-/// memory is the same, and every operation rounds as in the general form.
+/// memory is the same, and every operation rounds as in the general form. The functions
+/// that read one number are not constexpr: clang 14 cannot read a part of a register while it compiles.
 template <>
 class alignas(4 * sizeof(double)) Vec3<double> {
  public:
@@ -61,13 +62,13 @@ class alignas(4 * sizeof(double)) Vec3<double> {
 
   constexpr Vec3(double x, double y, double z) noexcept : xyz0_{x, y, z, 0.0} {}
 
-  constexpr double x() const noexcept {
+  double x() const noexcept {
     return xyz0_[0];
   }
-  constexpr double y() const noexcept {
+  double y() const noexcept {
     return xyz0_[1];
   }
-  constexpr double z() const noexcept {
+  double z() const noexcept {
     return xyz0_[2];
   }
 
@@ -83,7 +84,7 @@ class alignas(4 * sizeof(double)) Vec3<double> {
   friend constexpr Vec3 hadamard(const Vec3& a, const Vec3& b) noexcept {
     return Vec3(a.xyz0_ * b.xyz0_);
   }
-  friend constexpr Vec3 turned(const Vec3& a) noexcept {
+  friend Vec3 turned(const Vec3& a) noexcept {
     return Vec3(__builtin_shufflevector(a.xyz0_, a.xyz0_, 1, 2, 0, 3));
   }
 
@@ -95,13 +96,13 @@ class alignas(4 * sizeof(double)) Vec3<double> {
   constexpr Vec3(Register xy, Register z0) noexcept : xy_(xy), z0_(z0) {}
   constexpr Vec3(double x, double y, double z) noexcept : xy_{x, y}, z0_{z, 0.0} {}
 
-  constexpr double x() const noexcept {
+  double x() const noexcept {
     return xy_[0];
   }
-  constexpr double y() const noexcept {
+  double y() const noexcept {
     return xy_[1];
   }
-  constexpr double z() const noexcept {
+  double z() const noexcept {
     return z0_[0];
   }
 
@@ -117,7 +118,7 @@ class alignas(4 * sizeof(double)) Vec3<double> {
   friend constexpr Vec3 hadamard(const Vec3& a, const Vec3& b) noexcept {
     return {a.xy_ * b.xy_, a.z0_ * b.z0_};
   }
-  friend constexpr Vec3 turned(const Vec3& a) noexcept {
+  friend Vec3 turned(const Vec3& a) noexcept {
     return {__builtin_shufflevector(a.xy_, a.z0_, 1, 2), __builtin_shufflevector(a.xy_, a.z0_, 0, 3)};
   }
 
