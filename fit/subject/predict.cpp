@@ -3,12 +3,12 @@
 #include <gsl/gsl_cdf.h>
 #include <gsl/gsl_statistics_double.h>
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <span>
 
+#include "linear_algebra/decompositions.hpp"
 #include "parallel/workers.hpp"
 #include "scenarios/build_trunk.hpp"
 #include "search/multistart.hpp"
@@ -25,9 +25,9 @@ std::vector<Candidate> candidates_of(const SearchSpace& space, const Estimation&
   std::vector<Candidate> result = {e.best};
   if (!e.local) return result;
   const auto n = static_cast<Eigen::Index>(space.size());
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(e.local->covariance);
+  const SymmetricEigen eigen = symmetric_eigen(e.local->covariance);
   const Eigen::MatrixXd root =
-      eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal();
+      eigen.vectors * eigen.values.cwiseMax(0.0).cwiseSqrt().asDiagonal();
   const double freedom = e.local->noise.freedom;
   const LeastSquares cube{{}, Eigen::VectorXd::Zero(n + 1), Eigen::VectorXd::Ones(n + 1)};
   const Eigen::VectorXd lower = space.lower(), upper = space.upper();

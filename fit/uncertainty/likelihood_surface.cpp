@@ -2,7 +2,7 @@
 
 #include <gsl/gsl_cdf.h>
 
-#include <Eigen/Dense>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 

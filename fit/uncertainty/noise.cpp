@@ -1,8 +1,10 @@
 #include "uncertainty/noise.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+
+#include "linear_algebra/decompositions.hpp"
 
 namespace trunk {
 namespace {
@@ -96,7 +98,7 @@ Eigen::MatrixXd noise_covariance(Eigen::Index n, double deviation, double rho) {
 }
 
 Eigen::MatrixXd least_squares_covariance(const Eigen::MatrixXd& rows, const Eigen::MatrixXd& noise) {
-  const Eigen::MatrixXd inverse = rows.completeOrthogonalDecomposition().pseudoInverse();
+  const Eigen::MatrixXd inverse = pseudo_inverse(rows);
   const Eigen::MatrixXd data = inverse.leftCols(noise.rows()),
                         known = inverse.rightCols(rows.rows() - noise.rows());
   return data * noise * data.transpose() + known * known.transpose();

@@ -1,8 +1,10 @@
 #include "uncertainty/profiles.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+
+#include "linear_algebra/decompositions.hpp"
 
 namespace trunk {
 namespace {
@@ -62,11 +64,11 @@ double crossing(const std::vector<double>& y, const std::vector<double>& devianc
 }  // namespace
 
 double deviance_scale(const LocalFit& fit, const Eigen::MatrixXd& moved, const Eigen::VectorXd& direction) {
-  const Eigen::MatrixXd pick = moved.completeOrthogonalDecomposition().pseudoInverse();
+  const Eigen::MatrixXd pick = pseudo_inverse(moved);
   const Eigen::VectorXd d = pick * direction;
   const auto curvature = [&](const Eigen::MatrixXd& covariance) {
     const Eigen::MatrixXd within = pick * covariance * pick.transpose();
-    return d.dot(within.ldlt().solve(d));
+    return d.dot(solved_symmetric(within, d));
   };
   return curvature(fit.covariance) / curvature(fit.unit_covariance);
 }

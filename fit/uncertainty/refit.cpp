@@ -1,7 +1,8 @@
 #include "uncertainty/refit.hpp"
 
-#include <Eigen/Dense>
 #include <limits>
+
+#include "linear_algebra/decompositions.hpp"
 
 namespace trunk {
 namespace {
@@ -38,7 +39,7 @@ std::vector<Refit> refits(const LeastSquares& problem, const LocalFit& fit, cons
   Eigen::MatrixXd step_of;
   if (directions.cols() > 0) {  // Eigen 3.4 crashes on a matrix without columns
     const Eigen::MatrixXd rows = fit.rows * directions;
-    step_of = -directions * rows.completeOrthogonalDecomposition().pseudoInverse();
+    step_of = -directions * pseudo_inverse(rows);
   }
   std::vector<Walker> all;
   for (const Eigen::VectorXd& start : starts) {

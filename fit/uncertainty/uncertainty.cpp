@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 #include <gsl/gsl_cdf.h>
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 
+#include "linear_algebra/decompositions.hpp"
 #include "uncertainty/verdict.hpp"
 
 namespace trunk {
@@ -43,8 +43,7 @@ Estimate estimate(std::string name, std::string unit, Scale scale, double value,
 
 /// Scale of the columns does not matter: parameters are compared as logarithms.
 double condition_of(const Eigen::MatrixXd& covariance) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(covariance, Eigen::EigenvaluesOnly);
-  const Eigen::VectorXd e = eigen.eigenvalues();
+  const Eigen::VectorXd e = symmetric_eigen(covariance).values;
   return std::sqrt(e[e.size() - 1] / std::max(e[0], 1e-300));
 }
 
@@ -52,15 +51,15 @@ std::vector<Combination> combinations_of(const Eigen::MatrixXd& log_covariance, 
   std::vector<Combination> result;
   for (std::size_t i = 0; i < space.asked_for(); ++i)
     if (space.parameter(i).scale == Scale::amount) return result;
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(log_covariance);
+  const SymmetricEigen eigen = symmetric_eigen(log_covariance);
   for (Eigen::Index k = 0; k < log_covariance.rows(); ++k) {
-    Eigen::VectorXd v = eigen.eigenvectors().col(k);
+    Eigen::VectorXd v = eigen.vectors.col(k);
     Eigen::Index largest = 0;
     v.cwiseAbs().maxCoeff(&largest);
     const double scale = 1.0 / v[largest];
     v *= scale;
     result.push_back({{v.data(), v.data() + v.size()},
-                      std::sqrt(std::max(eigen.eigenvalues()[k], 0.0)) * std::abs(scale)});
+                      std::sqrt(std::max(eigen.values[k], 0.0)) * std::abs(scale)});
   }
   return result;
 }

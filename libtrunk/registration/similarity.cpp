@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "linear_algebra/decompositions.hpp"
+
 namespace trunk {
 namespace {
 
@@ -21,7 +23,7 @@ double Similarity::angle() const noexcept {
 }
 
 Similarity fitted_similarity(std::span<const Vec3d> from, std::span<const Vec3d> to) {
-  const Eigen::Matrix4d found = Eigen::umeyama(columns_of(from), columns_of(to), true);
+  const Eigen::Matrix4d found = similarity_between(columns_of(from), columns_of(to), true);
   const Eigen::Matrix3d scaled = found.topLeftCorner<3, 3>();
   const double scale = std::cbrt(scaled.determinant());
   const Eigen::Quaterniond q(Eigen::Matrix3d(scaled / scale));

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "linear_algebra/decompositions.hpp"
 #include "surface/distances.hpp"
 
 namespace trunk {
@@ -39,7 +40,7 @@ RigidMove aligned(std::span<const Vec3d> points, std::span<const Triangle> trian
       from.col(static_cast<Eigen::Index>(i)) << p.x(), p.y(), p.z();
       target.col(static_cast<Eigen::Index>(i)) << q.x(), q.y(), q.z();
     }
-    const RigidMove next = move_of(Eigen::umeyama(from, target, false));
+    const RigidMove next = move_of(similarity_between(from, target, false));
     double farthest = 0.0;
     for (const Vec3d& p : samples) farthest = std::max(farthest, norm(next(p) - move(p)));
     move = next;

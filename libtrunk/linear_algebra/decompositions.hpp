@@ -1,0 +1,28 @@
+#pragma once
+
+#include <Eigen/Core>
+
+namespace trunk {
+
+// What needs a decomposition of Eigen is compiled here once: each source with a decomposition of its own takes
+// seconds longer to build.
+
+struct SymmetricEigen {
+  Eigen::VectorXd values;   // [n] ascending
+  Eigen::MatrixXd vectors;  // [n][n] one of unit length in each column
+};
+
+/// Returns the eigenvalues and eigenvectors of a symmetric matrix, [n][n].
+SymmetricEigen symmetric_eigen(const Eigen::MatrixXd& matrix);
+
+/// Returns x of `matrix` x = `right`; the matrix is symmetric and positive definite, [n][n].
+Eigen::VectorXd solved_symmetric(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right);
+
+/// Returns the Moore-Penrose inverse, [columns][rows] of `matrix`, which has one column or more.
+Eigen::MatrixXd pseudo_inverse(const Eigen::MatrixXd& matrix);
+
+/// Returns the similarity that takes `from` to `to` in the least squares (Umeyama 1991), as a homogeneous matrix;
+/// without a change of size unless `scaled`. [3][points] each.
+Eigen::Matrix4d similarity_between(const Eigen::Matrix3Xd& from, const Eigen::Matrix3Xd& to, bool scaled);
+
+}  // namespace trunk
