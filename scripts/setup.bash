@@ -6,10 +6,13 @@ runtime_packages=(g++ cmake ninja-build pkg-config git
   libcli11-dev libfmt-dev nlohmann-json3-dev libtomlplusplus-dev libpugixml-dev libmatio-dev libedf-dev zlib1g-dev
   python3 python3-h5py python3-matplotlib python3-numpy)
 
-# Also needed by the tests: other people's readers of the results (MDAnalysis and VTK take most of a minute to install),
-# and a browser with the driver of the same version.
-test_packages=(catch2 clang-format hdf5-tools python3-h5netcdf python3-mdanalysis python3-netcdf4 python3-pandas
-  python3-vtk9 python3-xarray chromium chromium-driver python3-selenium)
+# The tests also need other people's readers of the results (MDAnalysis and VTK take most of a minute), a browser with its
+# own driver, which always has the same version, and a Slurm.
+test_packages=(catch2 clang-format hdf5-tools python3-h5netcdf python3-mdanalysis python3-netcdf4 python3-pandas python3-vtk9
+  python3-xarray chromium chromium-driver python3-selenium slurmctld slurmd slurm-client munge)
+
+# The nightly checks and scripts/lint need another compiler.
+lint_packages=(clang clang-tidy)
 
 say() { printf '\n== %s\n' "$*"; }
 

@@ -68,10 +68,10 @@ Exit simulate_command(const Common& common, const SimulateRequest& request) {
     print_note(fmt::format(
         "note: {} triangles of the lung turned over: the breath is deeper than this model can follow",
         run.flipped_triangles));
-  const std::string text = fmt::format(
-      "{}: {}\n{}  {} particles, {} steps of {:g} ms in {:.1f} ms; written to {}", file.scenario.title,
-      run.ending.message, aligned(measures_of(run)), trunk.model.particles(), run.ending.steps,
-      1e3 * file.scenario.time.dt_s, 1e3 * run.wall_s, request.output);
+  const std::string text =
+      fmt::format("{}: {}\n{}  {} particles, {} steps of {:g} ms in {:.1f} ms; written to {}",
+                  file.scenario.title, run.ending.message, aligned(measures_of(run)), trunk.model.particles(),
+                  run.ending.steps, 1e3 * file.scenario.time.dt_s, 1e3 * run.wall_s, request.output);
   print_result(common, summary(trunk, file.scenario, run), text);
   return run.ending.completed() ? Exit::done : Exit::not_converged;
 }

@@ -96,8 +96,7 @@ bool Objective::usable(const LedgerEntry* entry, std::size_t count) const {
   const auto completed = static_cast<std::int32_t>(Ending::Status::completed);
   if (entry->status != completed)
     return entry->values.empty() && entry->status > completed &&
-           entry->status <= static_cast<std::int32_t>(Ending::Status::volume_lost) &&
-           finite(entry->lasted_s);
+           entry->status <= static_cast<std::int32_t>(Ending::Status::volume_lost) && finite(entry->lasted_s);
   return entry->values.size() == count &&
          std::all_of(entry->values.begin(), entry->values.end(), [](double v) { return finite(v); });
 }

@@ -26,8 +26,7 @@ std::vector<Candidate> candidates_of(const SearchSpace& space, const Estimation&
   if (!e.local) return result;
   const auto n = static_cast<Eigen::Index>(space.size());
   const SymmetricEigen eigen = symmetric_eigen(e.local->covariance);
-  const Eigen::MatrixXd root =
-      eigen.vectors * eigen.values.cwiseMax(0.0).cwiseSqrt().asDiagonal();
+  const Eigen::MatrixXd root = eigen.vectors * eigen.values.cwiseMax(0.0).cwiseSqrt().asDiagonal();
   const double freedom = e.local->noise.freedom;
   const LeastSquares cube{{}, Eigen::VectorXd::Zero(n + 1), Eigen::VectorXd::Ones(n + 1)};
   const Eigen::VectorXd lower = space.lower(), upper = space.upper();
@@ -47,8 +46,8 @@ std::vector<double> tidal_volumes(const Trunk& trunk, std::span<const Candidate>
                                   const TimeGrid& grid) {
   std::vector<double> volumes;
   for (const VolumeCurve& curve : simulate_volumes(trunk, candidates, grid))
-    volumes.push_back(
-        curve.ending.completed() ? *std::max_element(curve.delta_v.begin(), curve.delta_v.end()) : unknown);
+    volumes.push_back(curve.ending.completed() ? *std::max_element(curve.delta_v.begin(), curve.delta_v.end())
+                                               : unknown);
   return volumes;
 }
 

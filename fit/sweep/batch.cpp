@@ -38,7 +38,7 @@ std::vector<double> numbers_of(const std::vector<NamedValue>& values) {
 
 SweepRow row_of(std::size_t run, const BreathSummary& breath, double dt_s, bool with_curve) {
   SweepRow row{run,   status_word(breath.ending.status), "", now_s(),
-               false, numbers_of(measures_of(breath)),    {}};
+               false, numbers_of(measures_of(breath)),   {}};
   if (!breath.ending.completed()) row.error = breath.ending.message;
   if (with_curve)
     row.curve = thinned(breath.delta_v, 1e6, [&](std::size_t i) { return static_cast<double>(i) * dt_s; });

@@ -58,8 +58,8 @@ std::vector<Combination> combinations_of(const Eigen::MatrixXd& log_covariance, 
     v.cwiseAbs().maxCoeff(&largest);
     const double scale = 1.0 / v[largest];
     v *= scale;
-    result.push_back({{v.data(), v.data() + v.size()},
-                      std::sqrt(std::max(eigen.values[k], 0.0)) * std::abs(scale)});
+    result.push_back(
+        {{v.data(), v.data() + v.size()}, std::sqrt(std::max(eigen.values[k], 0.0)) * std::abs(scale)});
   }
   return result;
 }

@@ -85,8 +85,8 @@ void calc_breath_courses(const Model& model, std::span<const Trial<double>> tria
   BreathWatch<S> watch(model, grid.steps(), check);
   const Trial<S> trial = in_lanes<S>(trials);
   Endings<S> endings = simulate_lanes(model, trial.parameters, trial.activation, grid,
-                                          [&](int step, const S&, const State<S>& state,
-                                              const StepReport<S>& report) { watch(step, state, report); });
+                                      [&](int step, const S&, const State<S>& state,
+                                          const StepReport<S>& report) { watch(step, state, report); });
   for (std::size_t i = 0; i < trials.size(); ++i)
     courses[i] = watch.course(std::move(endings[i]), static_cast<int>(i));
 }

@@ -56,8 +56,8 @@ double height(const Model& model);
 /// compiled here or elsewhere.
 template <Scalar S, class Observer>
 Endings<S> simulate_lanes(const Model& model, const Parameters<S>& parameters,
-                            const BreathActivation<S>& activation, const TimeGrid& grid, Observer&& observe,
-                            Step<S>* advance = &step<S>) {
+                          const BreathActivation<S>& activation, const TimeGrid& grid, Observer&& observe,
+                          Step<S>* advance = &step<S>) {
   constexpr int steps_between_checks = 16;
   State<S> state = rest_state<S>(model);
   Workspace<S> workspace = make_workspace(model, parameters, grid.dt_s, grid.damping);
@@ -90,7 +90,7 @@ Endings<S> simulate_lanes(const Model& model, const Parameters<S>& parameters,
 /// The same for a single simulation, with the step that is the fastest on this machine.
 template <Scalar S, class Observer>
 Ending simulate(const Model& model, const Parameters<S>& parameters, const BreathActivation<S>& activation,
-                 const TimeGrid& grid, Observer&& observe) {
+                const TimeGrid& grid, Observer&& observe) {
   static_assert(lanes_of<S> == 1);
   Step<S>* advance = &step<S>;
   if constexpr (std::same_as<S, double>) advance = kernel().step;

@@ -36,7 +36,7 @@ class LungGain {
 /// Lung volume above its start at every step that was reached, m3.
 template <Scalar S>
 Endings<S> simulate_volume(const Model& model, const Trial<S>& trial, const TimeGrid& grid,
-                             std::vector<S>& delta_v) {
+                           std::vector<S>& delta_v) {
   const LungGain gain(model);
   delta_v.reserve(static_cast<std::size_t>(grid.steps()) + 1);
   return simulate_lanes(model, trial.parameters, trial.activation, grid,

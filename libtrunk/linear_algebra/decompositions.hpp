@@ -4,8 +4,8 @@
 
 namespace trunk {
 
-// What needs a decomposition of Eigen is compiled here once: each source with a decomposition of its own takes
-// seconds longer to build.
+// What needs a decomposition of Eigen is compiled here once: each source with a decomposition of its own
+// takes seconds longer to build.
 
 struct SymmetricEigen {
   Eigen::VectorXd values;   // [n] ascending
@@ -21,8 +21,8 @@ Eigen::VectorXd solved_symmetric(const Eigen::MatrixXd& matrix, const Eigen::Vec
 /// Returns the Moore-Penrose inverse, [columns][rows] of `matrix`, which has one column or more.
 Eigen::MatrixXd pseudo_inverse(const Eigen::MatrixXd& matrix);
 
-/// Returns the similarity that takes `from` to `to` in the least squares (Umeyama 1991), as a homogeneous matrix;
-/// without a change of size unless `scaled`. [3][points] each.
+/// Returns the similarity that takes `from` to `to` in the least squares (Umeyama 1991), as a homogeneous
+/// matrix; without a change of size unless `scaled`. [3][points] each.
 Eigen::Matrix4d similarity_between(const Eigen::Matrix3Xd& from, const Eigen::Matrix3Xd& to, bool scaled);
 
 }  // namespace trunk

@@ -34,11 +34,11 @@ struct Workspace {
 
   // (model, parameters, dt) => constant during a run
   bool elastic_volume = false;  // the held volume's surface is elastic: its rings' areas come with the forces
-  std::vector<S> ring_stiffness;        // [rings] N/m
+  std::vector<S> ring_stiffness;           // [rings] N/m
   std::vector<HalfOpenRange> moving;       // particles that something can move
   std::vector<HalfOpenRange> held_pushed;  // those around the held volume that forces can move
-  RingTable held_fans;                  // of the triangles around it that can move
-  double held_still = 0.0;              // m3, what the others add to it
+  RingTable held_fans;                     // of the triangles around it that can move
+  double held_still = 0.0;                 // m3, what the others add to it
   // What a step makes of how far a particle moved in the last one, of the force on it, s2/kg, and of a push
   // by the constraints, 1/kg, along its free axes. With M = m + dt c and m' = m, or centred M = m + dt c / 2
   // and m' = m - dt c / 2: m' / M, dt^2 / M and 1 / M.

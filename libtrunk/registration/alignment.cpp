@@ -5,8 +5,8 @@
 
 #include "linear_algebra/decompositions.hpp"
 #include "math/units.hpp"
-#include "registration/target_surface.hpp"
 #include "registration/surface_samples.hpp"
+#include "registration/target_surface.hpp"
 #include "surface/closest_points.hpp"
 #include "surface/distances.hpp"
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "registration/linear_actuators.hpp"
-#include "registration/target_surface.hpp"
 #include "registration/surface_samples.hpp"
+#include "registration/target_surface.hpp"
 
 namespace trunk {
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "registration/target_surface.hpp"
 #include "registration/surface_samples.hpp"
+#include "registration/target_surface.hpp"
 
 namespace trunk {
 namespace {

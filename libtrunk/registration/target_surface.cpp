@@ -51,8 +51,7 @@ bool TargetSurface::on_border(const ClosestPoints::Hit& hit) const {
   return count == 2 && edges_.contains(std::minmax(on[0], on[1]));
 }
 
-bool TargetSurface::ends_before(const Vec3d& from, const Vec3d& normal,
-                                 const ClosestPoints::Hit& hit) const {
+bool TargetSurface::ends_before(const Vec3d& from, const Vec3d& normal, const ClosestPoints::Hit& hit) const {
   constexpr double oblique = 0.7;  // cosine
   if (on_border(hit)) return true;
   const Triangle& t = triangle(hit);

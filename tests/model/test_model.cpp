@@ -41,7 +41,7 @@ std::string message_after(Change&& change) {
   return "";
 }
 
-const double nan = std::nan("");
+const double not_a_number = std::nan("");
 
 }  // namespace
 
@@ -63,13 +63,13 @@ TEST_CASE("Particles that cannot be simulated are refused with their number", "[
   CHECK_THAT(message_after([](Model& m) { m.mass.pop_back(); }), Contains("8 positions, 7 masses"));
   CHECK_THAT(message_after([](Model& m) { m.mobility.pop_back(); }), Contains("7 mobilities"));
   CHECK_THAT(message_after([](Model& m) {
-               m.rest[3] = {0, nan, 0};
+               m.rest[3] = {0, not_a_number, 0};
              }),
              Contains("particle 3") && Contains("not finite"));
-  for (const double bad : {0.0, -0.1, nan, HUGE_VAL})
+  for (const double bad : {0.0, -0.1, not_a_number, HUGE_VAL})
     CHECK_THAT(message_after([&](Model& m) { m.mass[4] = bad; }),
                Contains("particle 4 has a mass of") && Contains("; expected more than 0"));
-  for (const double bad : {-0.1, nan, HUGE_VAL})
+  for (const double bad : {-0.1, not_a_number, HUGE_VAL})
     CHECK_THAT(message_after([&](Model& m) { m.damping_weight[2] = bad; }),
                Contains("particle 2 has a damping weight of") && Contains("; expected 0 or more"));
 }
@@ -80,7 +80,7 @@ TEST_CASE("A shape memory that is incomplete or has no frame is refused", "[unit
   CHECK_THAT(message_after([](Model& m) { m.shape_memory.abdominal_share.pop_back(); }),
              Contains("differ in length"));
   CHECK_THAT(message_after([](Model& m) {
-               m.shape_memory.rest_offset[0] = {nan, 0, 0};
+               m.shape_memory.rest_offset[0] = {not_a_number, 0, 0};
              }),
              Contains("no local frame"));
   CHECK_THAT(message_after([](Model& m) { m.shape_memory.stiffness_weight[0] = -1.0; }),
@@ -126,7 +126,7 @@ TEST_CASE("Supports need a body that is there and not free", "[unit][model]") {
              Contains("is free"));
   CHECK_THAT(message_after([](Model& m) {
                carry(body_of(RigidBody::Motion::fixed, {0}), m);
-               m.supports.push_back({5, 0, {}, {0, nan, 1}, {}});
+               m.supports.push_back({5, 0, {}, {0, not_a_number, 1}, {}});
              }),
              Contains("no direction"));
   CHECK_THAT(message_after([](Model& m) { m.friction = -0.1; }), Contains("friction coefficient is -0.1"));

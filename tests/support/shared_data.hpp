@@ -9,11 +9,18 @@
 
 namespace trunk::test {
 
-/// A surface file of the shared data; empty with a warning when it is not there.
+/// Returns the path of a file of the shared data. The test that asks for it is tagged [shared]: CTest shows
+/// those tests as skipped if the shared data are absent, and runs them otherwise.
+inline std::filesystem::path shared_file(const std::string& name) {
+  const auto path = std::filesystem::path(TRUNK_SHARED_DATA) / name;
+  INFO("the shared data lack " << path);
+  REQUIRE(std::filesystem::is_regular_file(path));
+  return path;
+}
+
+/// Returns the bytes of a surface file of the shared data.
 inline std::string shared_surface(const std::string& name) {
-  const auto path = std::filesystem::path(TRUNK_SHARED_DATA) / "surfaces" / name;
-  std::ifstream file(path, std::ios::binary);
-  if (!file) WARN("skipped: no " << path);
+  std::ifstream file(shared_file("surfaces/" + name), std::ios::binary);
   return {std::istreambuf_iterator<char>(file), {}};
 }
 

@@ -88,9 +88,10 @@ FitPlan plan_of(const FitRequest& request) {
 }
 
 void add_scenario_option(CLI::App& command, FitRequest& request) {
-  command.add_option("SCENARIO", request.scenario,
-                     "scenario file, which ends in .toml [healthy.toml, which comes with trunk]; any other file "
-                     "is taken as the trace");
+  command.add_option(
+      "SCENARIO", request.scenario,
+      "scenario file, which ends in .toml [healthy.toml, which comes with trunk]; any other file "
+      "is taken as the trace");
 }
 
 std::vector<std::string> settle_files(FitRequest& request) {

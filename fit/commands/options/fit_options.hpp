@@ -31,9 +31,9 @@ void add_subject_options(CLI::App& command, FitRequest& request);
 /// The file that the user names without an option, "SCENARIO".
 void add_scenario_option(CLI::App& command, FitRequest& request);
 
-/// Settles which files the user means: a file named without an option is a scenario if its name ends in .toml,
-/// otherwise it is the trace; a fit without a scenario takes the shipped healthy.toml. Returns notes that tell
-/// the user which scenario was taken. Throws InputError if two traces are named.
+/// Settles which files the user means: a file named without an option is a scenario if its name ends in
+/// .toml, otherwise it is the trace; a fit without a scenario takes the shipped healthy.toml. Returns notes
+/// that tell the user which scenario was taken. Throws InputError if two traces are named.
 std::vector<std::string> settle_files(FitRequest& request);
 
 /// The plan in full. Throws InputError on options that make no sense.

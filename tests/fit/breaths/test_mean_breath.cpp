@@ -3,6 +3,7 @@
 #include "breaths/mean_breath.hpp"
 #include "support/breath_records.hpp"
 #include "support/catch.hpp"
+#include "support/shared_data.hpp"
 #include "traces/read_trace.hpp"
 
 using namespace trunk;
@@ -102,18 +103,12 @@ SegmentSummary summary_of(const Segmentation& segmentation) {
 
 }  // namespace
 
-#ifdef TRUNK_SHARED_DATA
-TEST_CASE("the breaths of real recordings are found, from flow and from volumes with resets",
-          "[unit][breaths]") {
-  const std::filesystem::path folder = std::filesystem::path(TRUNK_SHARED_DATA) / "traces";
-  if (!std::filesystem::exists(folder / "cant_Subject01_0cmH2O_0mL.csv")) {
-    WARN("skipped: no recordings in " << folder.string());
-    return;
-  }
+TEST_CASE("The breaths of real recordings are found, from flow and from volumes with resets",
+          "[shared][breaths]") {
   const auto summary = [&](const char* file, const char* column) {
     TraceOptions options;
     options.value_column = column;
-    return summary_of(segment_breaths(read_trace(folder / file, options)));
+    return summary_of(segment_breaths(read_trace(test::shared_file(std::string("traces/") + file), options)));
   };
   const std::string column = GENERATE("", "volume_L", "volume_from_flow_L");
   CAPTURE(column);
@@ -128,7 +123,6 @@ TEST_CASE("the breaths of real recordings are found, from flow and from volumes 
   CHECK(first.tidal_volume_ml == Approx(970).epsilon(0.04));
   CHECK(first.period_s == Approx(3.2).epsilon(0.02));
 }
-#endif
 
 TEST_CASE("the constructed trace has its 8 breaths of 466 ml in the mean", "[unit][breaths]") {
   const auto file = std::filesystem::path(TRUNK_SOURCE_DIR) / "reference/constructed_trace.csv";

@@ -303,12 +303,10 @@ TEST_CASE("PML is read: every component of triangles and quadrilaterals, also by
   CHECK(s.unit == "mm");
 }
 
-TEST_CASE("Real surfaces are read whole", "[unit][surfaces]") {
-  if (const std::string pml = test::shared_surface("diaphragm.pml"); !pml.empty()) {
-    const RawSurface s = read_raw_surface(pml, "diaphragm.pml");
-    CHECK(s.points.size() == 283);
-    CHECK(s.triangles.size() == 498);
-  }
-  if (const std::string obj = test::shared_surface("eidors_vh_male_thorax.obj"); !obj.empty())
-    CHECK(read_raw_surface(obj, "thorax.obj").points.size() == 1974);
+TEST_CASE("Real surfaces are read whole", "[shared][surfaces]") {
+  const RawSurface diaphragm = read_raw_surface(test::shared_surface("diaphragm.pml"), "diaphragm.pml");
+  CHECK(diaphragm.points.size() == 283);
+  CHECK(diaphragm.triangles.size() == 498);
+  const std::string thorax = test::shared_surface("eidors_vh_male_thorax.obj");
+  CHECK(read_raw_surface(thorax, "thorax.obj").points.size() == 1974);
 }

@@ -2,6 +2,7 @@
 #include <string>
 
 #include "support/catch.hpp"
+#include "support/shared_data.hpp"
 #include "support/traces.hpp"
 #include "traces/read_trace.hpp"
 
@@ -235,19 +236,11 @@ TEST_CASE("what is no usable sampling") {
   CHECK(trace_error("time_s,volume_ml\n" + trace_rows(",", "\n", 10)).empty());
 }
 
-#ifdef TRUNK_SHARED_DATA
-TEST_CASE("real recordings are read") {
-  const std::filesystem::path file =
-      std::filesystem::path(TRUNK_SHARED_DATA) / "traces" / "cant_Subject03_0cmH2O_0mL.csv";
-  if (!std::filesystem::exists(file)) {
-    WARN("skipped: " << file.string() << " is not there");
-    return;
-  }
-  const Trace trace = read_trace(file);
+TEST_CASE("Real recordings are read", "[shared][io]") {
+  const Trace trace = read_trace(test::shared_file("traces/cant_Subject03_0cmH2O_0mL.csv"));
   CHECK(trace.kind == SignalKind::flow);
   CHECK(trace.time_s.size() == 4362);
   CHECK(trace.time_s.back() == Approx(43.61));
   CHECK(trace.value.front() == Approx(-0.462476e-3));
   CHECK(trace.notes.size() == 1);
 }
-#endif

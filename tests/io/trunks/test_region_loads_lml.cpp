@@ -6,6 +6,7 @@
 #include "errors/input_error.hpp"
 #include "scenarios/build_trunk.hpp"
 #include "support/catch.hpp"
+#include "support/shared_data.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/trunks.hpp"
 
@@ -228,13 +229,8 @@ TEST_CASE("A pressure without a direction and axes left free survive LML", "[reg
   check_same(again[1], sideways);
 }
 
-TEST_CASE("The published compression is read as loads of regions", "[unit][io]") {
-  const auto path = std::filesystem::path(TRUNK_SHARED_DATA) / "surfaces" / "compression-12.lml";
-  if (!std::filesystem::exists(path)) {
-    WARN("skipped: no " << path);
-    return;
-  }
-  const auto loads = read_region_loads(path);
+TEST_CASE("The published compression is read as loads of regions", "[shared][io]") {
+  const auto loads = read_region_loads(test::shared_file("surfaces/compression-12.lml"));
   REQUIRE(loads.size() == 2);
   CHECK(loads[0].region == "648-728");
   CHECK(loads[1].region == "0-80");
