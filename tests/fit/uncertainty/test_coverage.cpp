@@ -78,7 +78,7 @@ Counts coverage(double rho, int repeats) {
 
 }  // namespace
 
-TEST_CASE("nominal 95 % intervals cover the truth in 90 to 98 % of 300 repeats", "[property][slow]") {
+TEST_CASE("nominal 95 % intervals cover the truth in 90 to 98 % of 300 repeats", "[nightly][slow]") {
   for (const double rho : {0.0, 0.9}) {
     const Counts c = coverage(rho, 300);
     for (int i = 0; i < 2; ++i) {
