@@ -99,7 +99,7 @@ class Scenarios(TrunkTest):
                 ("extends itself", 'extends = "s.toml"\n', "s.toml:1: .*itself"),
                 ("extends nothing", 'title = "a"\nextends = "none.toml"\n', "s.toml:2: .*none.toml.*no such file"),
                 ("a load nowhere", f'extends = "{HEALTHY}"\n[[force]]\nregion = "liver"\ndirection = [0, 0, 1]\n'
-                                   "events_N = [[0, 1]]\n", r"trunk: s.toml:[23]: there is no region or particle 'liver', expected"),
+                                   "events_N = [[0, 1]]\n", r"trunk: s.toml:[23]: there is no region or particle 'liver'; expected"),
                 ("binary", b"\x89HDF\r\n\x1a\n\0\0\0\0", "s.toml:.*binary.*expected text")):
             with self.subTest(name):
                 self.file("s.toml", text)

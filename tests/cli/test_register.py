@@ -110,7 +110,7 @@ class Register(TrunkTest):
         faces = "1 2 4 3 5 7 8 6 1 5 6 2 3 4 8 7 1 3 7 5 2 6 8 4".split()
         stick += "".join("f " + " ".join(faces[4 * k:4 * k + 4]) + "\n" for k in range(6))
         self.refused("register", "--lungs", self.file("stick.obj", stick), "--axes", "RAS", "-o", "me.pml",
-                     says="is it what the option says")
+                     says="is what the option says")
         self.file("me.toml", "mine")
         self.refused(*good, "-o", "me.pml", says=r"me\.toml")
 
