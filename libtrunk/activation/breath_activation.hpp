@@ -7,21 +7,22 @@
 
 namespace trunk {
 
-/// How the heights of the activation's inner knots are laid out: each phase is divided evenly by its own.
+/// The numbers of inner knots of the activation. Each phase is divided evenly by its own knots.
 struct ShapeKnots {
   static constexpr std::size_t rise = 5, fast_fall = 1, slow_fall = 3, count = rise + fast_fall + slow_fall;
 };
 
-/// Muscle activation A(t) over one breath, in units of its height at the end of the rise: a linear rise, an
-/// "important decrease", a "normal decrease" (paper, "Healthy and pathological diaphragm models": 2 s, 0.5 s,
-/// 2 s). How far the fast decrease falls is our choice: 0.4. Repeats every `period_s` when that is positive.
+/// Muscle activation A(t) over one breath, as a share of its height at the end of the rise. It consists of a
+/// linear rise, an "important decrease" and a "normal decrease" (paper, "Healthy and pathological diaphragm
+/// models": 2 s, 0.5 s and 2 s). The fast decrease ends at 0.4 (our choice). A(t) repeats every `period_s` if
+/// that is positive, and is never negative.
 ///
-/// `shape` bends the three lines (our choice): inner knots stand at even parts of each phase, and A(t) is
-/// straight between knots whose heights are `shape` times those of the line; 1 leaves the line as it is.
-/// Never negative.
+/// `shape` bends the three lines (our choice). Inner knots divide each phase evenly. The height of a knot is
+/// that of the line times its `shape`, and A(t) is straight between knots; a shape of 1 leaves the line as it
+/// is.
 template <Scalar S>
 struct BreathActivation {
-  S onset_s{0.0};  // may be negative: active already at the start
+  S onset_s{0.0};  // negative: the muscle is already active at the start
   S rise_s{2.0};
   S fast_fall_s{0.5};
   S slow_fall_s{2.0};
@@ -29,6 +30,7 @@ struct BreathActivation {
   S period_s{0.0};
   std::array<S, ShapeKnots::count> shape = filled(1.0);
 
+  /// Returns A at a time.
   S operator()(double time_s) const noexcept {
     using std::floor;
     const S now(time_s), past = period_s * floor(now / period_s);
@@ -49,7 +51,7 @@ struct BreathActivation {
     return all;
   }
 
-  /// What the knots add to the lines: exactly 0 where the shape is all ones.
+  /// Returns what the knots add to the lines: exactly 0 if the shape is all ones.
   S bend(const S& t) const noexcept {
     const S *knot = shape.data(), zero(0.0), one(1.0);
     return bend(t, zero, rise_s, zero, one, knot, ShapeKnots::rise) +
@@ -59,7 +61,8 @@ struct BreathActivation {
                 knot + ShapeKnots::rise + ShapeKnots::fast_fall, ShapeKnots::slow_fall);
   }
 
-  /// One phase, from height `first` to `last`: a sum of hats, each as wide as its two neighbours are apart.
+  /// Returns the same for one phase, from height `first` to `last`: a sum of hat functions, each as wide as
+  /// the distance between its two neighbours.
   static S bend(const S& t, const S& start, const S& length, const S& first, const S& last, const S* knot,
                 std::size_t count) noexcept {
     const S place = S(static_cast<double>(count + 1)) * (t - start) / length;  // knot k stands at k + 1

@@ -21,7 +21,7 @@ std::vector<BreathRun::Touch> touches(const State<double>& state) {
   return result;
 }
 
-/// Triangles whose normal has turned by more than a right angle.
+/// Returns the number of triangles whose normal has turned by more than a right angle.
 int flipped(std::span<const Triangle> triangles, std::span<const Vec3d> before,
             std::span<const Vec3d> after) {
   const auto normal = [](const Triangle& t, std::span<const Vec3d> x) {
@@ -33,11 +33,11 @@ int flipped(std::span<const Triangle> triangles, std::span<const Vec3d> before,
   }));
 }
 
-/// Calls run(first, count) for parts of what is to be simulated: as many as there are lanes, one at a time
-/// where that is quicker.
+/// Calls run(first, count) for parts of all simulations: as many as there are lanes, or one where that is
+/// faster.
 template <class RunPart>
 void in_parts(std::size_t all, const RunPart& run) {
-  constexpr std::size_t worth_lanes = 3;  // a step of all lanes costs that of 2 to 3 simulations
+  constexpr std::size_t worth_lanes = 3;  // a step of all lanes costs as much as 2 to 3 single steps
   const std::size_t lanes = batch_lanes();
   for (std::size_t first = 0; first < all;) {
     const std::size_t left = all - first;
@@ -66,8 +66,8 @@ BreathSummary summary_of(const Trunk& trunk, BreathCourse course) {
   return s;
 }
 
-/// The kernel of the fewest tangents that take all directions at once: half of their work is in the values,
-/// which wider registers do not make faster.
+/// Returns the kernel with the fewest tangents that still takes all directions at once. Half of the work is
+/// in the values, and wider registers do not make that faster.
 const Kernel& kernel_for(std::size_t directions) {
   for (const Kernel* k : kernels())
     if (static_cast<std::size_t>(k->tangents) >= directions) return *k;

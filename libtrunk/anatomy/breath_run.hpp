@@ -8,62 +8,62 @@
 
 namespace trunk {
 
-/// A simulated breath as a table knows it. Curves have one entry a step and one for the start.
+/// What a table keeps of a simulated breath. Curves have one entry for each step and one for the start.
 struct BreathSummary {
   Ending ending;
   std::vector<double> delta_v;    // m3, lung volume above its start
-  Measures measures;              // between the start and end-inspiration, where the lung volume was highest
+  Measures measures;              // from the start to end-inspiration, where the lung volume is highest
   double peak_pressure_Pa = 0.0;  // abdominal, above rest
   double max_relative_volume_error = 0.0;
-  int flipped_triangles = 0;  // of the lung at its largest or smallest: above 0 the model has left its range
+  int flipped_triangles = 0;  // of the lung; above 0: the model is out of its range
 };
 
-/// All that is kept of one.
+/// Everything that is kept of a simulated breath.
 struct BreathRun : BreathSummary {
   std::vector<double> time_s;
   std::vector<double> activation;   // 0..1
   std::vector<double> pressure_Pa;  // abdominal, above rest
-  double wall_s = 0.0;              // the time loop alone
+  double wall_s = 0.0;              // duration of the time loop
 
-  enum class Touch { none, slides, sticks };  // how a particle is on the surface that supports it
+  enum class Touch { none, slides, sticks };  // contact of a particle with the surface that supports it
   struct Frame {
     int step;
     std::vector<Vec3d> position, velocity;  // [particles]
     std::vector<Touch> touch;               // [supports]
   };
   std::vector<Frame> frames;
-  std::vector<Vec3d> end_inspiration;  // [particles] where the lung volume was highest
+  std::vector<Vec3d> end_inspiration;  // [particles] m, where the lung volume is highest
 };
 
-/// Simulates one breath and keeps curves, frames and measures. `frame_every` steps; 0 keeps no frames.
-/// `check` may throw to end it.
+/// Simulates one breath and returns its curves, frames and measures. A frame is kept every `frame_every`
+/// steps; 0 keeps none. `check` may throw to end the simulation.
 BreathRun run_breath(const Trunk& trunk, const Scenario& scenario, int frame_every,
                      const WhileSimulated& check = {});
 
-/// Curve and measures of many trials, several at a time in the lanes of a register. Each gives the bits it
-/// would alone.
+/// Returns the curves and measures of many trials. Several are simulated at a time, in the lanes of a
+/// register; each has the bits that it has alone.
 std::vector<BreathSummary> summarise_breaths(const Trunk& trunk, std::span<const Trial<double>> trials,
                                              const TimeGrid& grid, const WhileSimulated& check = {});
 
-/// The lung volume alone: no frames, no measures.
+/// Returns the lung volume of one trial, without frames and measures.
 VolumeCurve simulate_volume(const Trunk& trunk, const Parameters<double>& parameters,
                             const BreathActivation<double>& activation, const TimeGrid& grid);
 
-/// How many trials this machine works off side by side.
+/// Returns the number of trials that this machine simulates side by side.
 std::size_t batch_lanes() noexcept;
 
-/// The same for many trials, several at a time in the lanes of a register. Each gives the bits it would
-/// alone.
+/// Returns the lung volumes of many trials. Several are simulated at a time, in the lanes of a register; each
+/// has the bits that it has alone.
 std::vector<VolumeCurve> simulate_volumes(const Trunk& trunk, std::span<const Trial<double>> trials,
                                           const TimeGrid& grid);
 
-/// The volume curve of a trial and how it changes along directions, exactly: each derivative has the entries
-/// of the curve, m3 for a unit of its direction. A direction says by how much each number of the trial grows
-/// (see no_change).
+/// The volume curve of a trial and its exact derivatives along directions. A direction says by how much each
+/// number of the trial grows (see no_change).
 struct VolumeDerivatives {
   VolumeCurve curve;
-  std::vector<std::vector<double>> along;  // [directions][steps + 1]
+  std::vector<std::vector<double>> along;  // [directions][steps + 1] m3 per unit of the direction
 };
+/// Returns the volume curve and its derivatives.
 VolumeDerivatives simulate_volume_derivatives(const Trunk& trunk, const Trial<double>& trial,
                                               std::span<const Trial<double>> directions,
                                               const TimeGrid& grid);

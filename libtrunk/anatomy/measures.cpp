@@ -13,7 +13,8 @@ double mean_height(const std::vector<int>& particles, std::span<const Vec3d> pos
   return sum / static_cast<double>(particles.size());
 }
 
-/// From the costal insertion to the top of the zone of apposition.
+/// Returns the mean length of the muscle lines from the costal insertion to the top of the zone of
+/// apposition.
 double mean_line_length(const TrunkMesh& mesh, std::span<const Vec3d> position) {
   const std::size_t top = mesh.apposition_top_row();
   const auto at = [&](int i) { return position[static_cast<std::size_t>(i)]; };

@@ -13,7 +13,7 @@ Triangle sorted(Triangle t) {
   return t;
 }
 
-/// The triangles of the trunk all of whose corners are selected; those of the dome as the abdomen sees them.
+/// Returns the triangles of the trunk with all corners selected. Those of the dome face as in the abdomen.
 std::vector<Triangle> triangles_within(const TrunkMesh& mesh, const std::set<int>& selected) {
   std::vector<Triangle> within;
   std::set<Triangle> seen;
@@ -44,7 +44,7 @@ void impose(const RegionLoad& load, int particle, Model& model) {
   mobility = hadamard(mobility, Vec3d(1.0, 1.0, 1.0) - load.axes);
 }
 
-/// A third of each triangle's force at each corner.
+/// Adds a third of each triangle's force at each of its corners.
 void add_traction(const RegionLoad& load, const std::vector<Triangle>& triangles, Model& model) {
   for (const Triangle& t : triangles) {
     const auto at = [&](std::size_t corner) { return model.rest[static_cast<std::size_t>(t[corner])]; };

@@ -8,19 +8,18 @@
 
 namespace trunk {
 
-/// A load on every particle of a region, over time: direction * magnitude(t) as
+/// A load on every particle of a region, direction * magnitude(t). It is one of
 ///  - force: N on each particle,
 ///  - displacement: m from rest, imposed along `axes`,
 ///  - acceleration: m/s2, as a force on each particle's mass,
-///  - pressure: Pa against the outer side of the triangles within the region, following them; with a
-///  direction, along
-///    that on their area at rest.
+///  - pressure: Pa against the outer side of the triangles within the region. It follows the triangles; with
+///    a direction, it acts along that direction on their area at rest.
 struct RegionLoad {
   enum class Kind { force, displacement, acceleration, pressure };
   Kind kind = Kind::force;
-  std::string region;  // as selected_particles takes it
+  std::string region;  // as in selected_particles
   Vec3d direction;
-  Vec3d axes;  // of a displacement: 1 imposed, 0 free
+  Vec3d axes;  // for a displacement: 1: imposed, 0: free
   PiecewiseLinear magnitude;
   Place at;  // in the user's file, for messages
 };

@@ -10,7 +10,7 @@
 namespace trunk {
 namespace {
 
-/// Where a particle lies on the grid of muscle lines.
+/// The place of a particle on the grid of muscle lines.
 struct GridPlace {
   std::size_t line, row;
 };
@@ -23,18 +23,18 @@ std::map<int, GridPlace> places_of(const TrunkMesh& mesh) {
   return places;
 }
 
-/// The curvature along a curve through three points, to the side away from `normal`, 1/m.
+/// Returns the curvature of a curve through three points, 1/m, towards the side away from `normal`.
 double curvature_of(const Vec3d& before, const Vec3d& at, const Vec3d& after, const Vec3d& normal) {
   const Vec3d half_chord = 0.5 * (after - before), sagitta = at - 0.5 * (before + after);
   return 2.0 * dot(sagitta, normal) / dot(half_chord, half_chord);
 }
 
-/// The rib surface at a particle of the zone of apposition: through its rest position, tangent to the muscle
-/// lines' grid there, and curved as the grid is along both of its directions (our choice). With x' and x''
-/// the first and second central differences of rest positions, by line and by row, the normal n is across
-/// both x', outward; the curvature along the tangent around the trunk, e, is -x''.n / |x'|^2 by line, and
-/// along n x e by row. At the top row, above which there are no ribs, x' by row is the difference downward
-/// and that curvature is 0.
+/// Returns the rib surface at a particle of the zone of apposition (our choice). It passes through the
+/// particle's rest position, is tangent to the grid of the muscle lines, and is curved like the grid along
+/// both of its directions. Let x' and x'' be the first and second central differences of rest positions, by
+/// line and by row. The normal n is perpendicular to both x' and points outward. With e the tangent around
+/// the trunk, the curvature along e is -x''.n / |x'|^2 by line, and along n x e it is the same by row. No
+/// ribs are above the top row: there, x' by row is the difference downward, and the curvature by row is 0.
 Support support_at(const TrunkMesh& mesh, int particle, const GridPlace& place, int body) {
   const auto& lines = mesh.muscle_lines;
   const std::size_t count = lines.size(), top = mesh.apposition_top_row();
@@ -76,7 +76,7 @@ RigidBody body_of(const TrunkMesh& mesh, const RigidPart& part) {
   return body;
 }
 
-/// A free body bears no contact, so what it carries could cross the ribs.
+/// A free body has no contact, so its particles could cross the ribs.
 void require_free_parts_off(const std::map<int, int>& surface_of, const std::vector<RigidPart>& parts,
                             const Model& model) {
   for (std::size_t part = 0; part < parts.size(); ++part)

@@ -13,7 +13,7 @@
 namespace trunk {
 namespace {
 
-/// A particle that is held or driven cannot be pushed back by the rib cage: its support is left out.
+/// Removes the supports of particles that are held or driven, since the rib cage cannot push them back.
 void drop_supports_of_held_particles(Model& model) {
   std::erase_if(model.supports, [&](const Support& s) {
     const Vec3d& m = model.mobility[static_cast<std::size_t>(s.particle)];

@@ -14,37 +14,39 @@
 
 namespace trunk {
 
-/// One breath to simulate: everything a scenario file says, in SI units.
+/// One breath to simulate: everything that a scenario file says, in SI units.
 struct Scenario {
   std::string title = "trunk";
   TrunkGeometry geometry;
-  std::shared_ptr<const TrunkMesh> mesh;  // a trunk that was read; empty: the template of `geometry`
-  std::string mesh_file;                  // where it was read from
+  std::shared_ptr<const TrunkMesh> mesh;  // a trunk from a file; empty: the template of `geometry`
+  std::string mesh_file;                  // the file of `mesh`
   Tissue tissue;
   Reaction reaction = Reaction::variational;
   Parameters<double> parameters{4000.0, 30.0, 20.0, 1.0};
   BreathActivation<double> activation;
   TimeGrid time;
   bool automatic_step = false;                // time.dt_s is still to be chosen
-  std::optional<TimeStepChoice> step_choice;  // how `time` was chosen, where it was
+  std::optional<TimeStepChoice> step_choice;  // how `time` was chosen, if the program chose it
   double frame_every_s = 0.01;                // between stored trajectory frames; 0: none are stored
-  Vec3d gravity;  // m/s2; 0: the rest shape was imaged under gravity, which is thus in it
+  Vec3d gravity;                              // m/s2; 0: gravity is in the rest shape, as it was imaged
   std::vector<RegionLoad> loads;
   std::vector<RigidPart> rigid;
   PiecewiseLinear abdominal_volume;  // fraction of rest; empty: constant
 };
 
-/// Steps between stored frames; 0: none are stored.
+/// Returns the number of steps between stored frames; 0 if none are stored.
 int frame_stride(const Scenario& scenario);
 
-/// The trunk's particles before anything is done to them. Throws InputError.
+/// Returns the mesh of a scenario: that of its file or the template. Throws InputError if the sizes of the
+/// template leave no room for the lung.
 TrunkMesh mesh_of(const Scenario& scenario);
 
-/// Builds the trunk with the scenario's loads. Throws InputError.
+/// Returns the trunk with the scenario's rigid parts and loads. Throws InputErrors with all loads that are
+/// impossible, and InputError if the mesh, the tissue or a rigid part is.
 Trunk make_trunk(const Scenario& scenario);
 
-/// Throws InputError unless the time step is below the stability bound at full activation and the duration is
-/// a sensible number of steps. The text names the bound.
+/// Throws InputError, which names the bound, unless the time step is below the stability bound at full
+/// activation and the duration is 1 to 1e7 steps.
 void require_stable(const Scenario& scenario, const Trunk& trunk);
 
 }  // namespace trunk

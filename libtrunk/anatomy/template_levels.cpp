@@ -10,9 +10,9 @@
 namespace trunk {
 namespace {
 
-/// Joins two rings, `upper` above or inside `lower`, by triangles that face outward or up. Of the two
-/// possible diagonals the one that spans the smaller angle; ties alternate by quadrant, so that the mesh
-/// mirrors.
+/// Joins two rings by triangles that face outward or up; `upper` is above or inside `lower`. Of the two
+/// possible diagonals it takes the one that spans the smaller angle. Ties alternate by quadrant, so that the
+/// mesh is symmetric.
 void stitch(const Level& lower, const Level& upper, std::vector<Triangle>& triangles) {
   const std::size_t lower_count = lower.angles.size(), upper_count = upper.angles.size();
   const auto angle = [](const Level& level, std::size_t k) {
@@ -38,15 +38,15 @@ void stitch(const Level& lower, const Level& upper, std::vector<Triangle>& trian
   }
 }
 
-/// Closes a ring by a fan to a point above it.
+/// Closes a ring with a fan of triangles to a point above it.
 void cap(const Level& ring, const Level& tip, std::vector<Triangle>& triangles) {
   const std::size_t count = ring.particles.size();
   for (std::size_t k = 0; k < count; ++k)
     triangles.push_back({ring.particles[k], ring.particles[(k + 1) % count], tip.particles[0]});
 }
 
-/// A quantity along the profile: through its values at the stations, monotone between them (Steffen's
-/// method), so that nothing bulges that does not at the stations.
+/// A quantity along the profile. It has its given values at the stations and is monotone between them
+/// (Steffen's method), so that nothing bulges between stations.
 class AlongProfile {
  public:
   template <class Value>

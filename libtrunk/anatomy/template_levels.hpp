@@ -8,18 +8,18 @@
 
 namespace trunk {
 
-/// A ring of particles around the trunk, or one particle on its axis. Angles run from 0 at the subject's
-/// right
-/// (+x), counter-clockwise seen from above.
+/// A ring of particles around the trunk, or one particle on its axis. Angles begin with 0 at the subject's
+/// right (+x) and run counter-clockwise seen from above.
 struct Level {
   std::vector<int> particles;
-  std::vector<double> angles;  // rad, one a particle
+  std::vector<double> angles;  // [particles] rad
 };
 
-/// Where the profile passes at resolution 1: the size scales the trunk's ellipse; height + tilt cos(angle).
+/// A ring of the profile at resolution 1. The size scales the trunk's ellipse; particles lie at
+/// height + tilt cos(angle).
 struct Station {
-  std::string region;  // of its own particles
-  std::string above;   // of those between it and the next
+  std::string region;  // region of its own particles
+  std::string above;   // region of the particles between it and the next station
   int count;           // particles around
   double size, height, tilt;
 };
@@ -29,10 +29,10 @@ class LevelBuilder {
  public:
   LevelBuilder(const TrunkGeometry& geometry, TrunkMesh& mesh) : geometry_(geometry), mesh_(mesh) {}
 
-  /// A ring of `count` particles, or one on the axis.
+  /// Adds and returns a ring of `count` particles, or one particle on the axis.
   Level level(const std::string& region, int count, double size, double height, double tilt);
 
-  /// The levels of a profile at the geometry's resolution, those of the stations among them.
+  /// Adds and returns the levels of a profile at the geometry's resolution. The stations are among them.
   std::vector<Level> levels(const std::vector<Station>& stations);
 
  private:
@@ -43,6 +43,7 @@ class LevelBuilder {
 /// Joins each level to the next, above or inside it, by triangles that face outward or up. => triangles
 void join(const std::vector<Level>& levels, std::vector<Triangle>& triangles);
 
+/// Makes all triangles face the other side.
 void turn_over(std::vector<Triangle>& triangles);
 
 }  // namespace trunk

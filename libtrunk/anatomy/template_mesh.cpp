@@ -12,13 +12,13 @@
 namespace trunk {
 namespace {
 
-// Profile of the diaphragm above the zone of apposition, as fractions of the trunk's half-axes and of the
-// dome height: steep muscular flanks up to the border of the central tendon, flat above it, a slight saddle
-// between the domes where the heart lies (our choice).
+// The profile of the diaphragm above the zone of apposition, as fractions of the trunk's half-axes and of the
+// dome height (our choice): steep muscular flanks up to the border of the central tendon, flat above it, with
+// a slight saddle between the domes where the heart lies.
 constexpr double tendon_border_size = 0.79, tendon_border_height = 0.75;
 constexpr double dome_top_size = 0.62, saddle_height = 0.95;
 
-/// The stations of the abdominal compartment from the pelvis up.
+/// Returns the stations of the abdominal compartment from the pelvis up.
 std::vector<Station> abdominal_profile(const TrunkGeometry& g) {
   const double costal = g.abdomen_height, top = costal + g.apposition_length;
   const double middle_dome = 0.5 * (g.dome_height_right + g.dome_height_left);
@@ -49,7 +49,7 @@ enum Row : std::size_t {
 
 void name_landmarks(const TrunkGeometry& g, const std::vector<Level>& levels, TrunkMesh& m) {
   const auto r = static_cast<std::size_t>(g.resolution);
-  // Measured at the same places whatever the resolution.
+  // Landmarks have the same places at any resolution.
   const auto coarse = [&](std::size_t row) {
     std::vector<int> particles;
     const Level& level = levels[row * r];
@@ -88,7 +88,7 @@ void lay_muscle_lines(const TrunkGeometry& g, const std::vector<Level>& levels, 
   }
 }
 
-/// The pelvic floor, outermost ring first; the ring of the pelvis itself closes it.
+/// Returns the pelvic floor, outermost ring first. The ring of the pelvis itself closes it.
 std::vector<Level> build_floor(const TrunkGeometry& g, LevelBuilder& build) {
   std::vector<Level> inward;
   for (int ring = 0; ring < g.resolution; ++ring)
@@ -97,7 +97,7 @@ std::vector<Level> build_floor(const TrunkGeometry& g, LevelBuilder& build) {
   return inward;
 }
 
-/// The lung's wall above the zone of apposition, at heights that are fractions of the lung's.
+/// The lung's wall above the zone of apposition. Its heights are fractions of the height of the lung.
 struct LungWall {
   std::vector<Level> levels;
   std::vector<double> height;  // [levels] fraction
@@ -131,7 +131,7 @@ void place_lung(const LungWall& wall, double base_z, double height, TrunkMesh& m
     }
 }
 
-/// The volume of the lung is linear in its height.
+/// Gives the lung its volume, which is linear in its height.
 void size_lung(const TrunkGeometry& geometry, const LungWall& wall, double base_z, TrunkMesh& m) {
   const auto volume_at = [&](double height) {
     place_lung(wall, base_z, height, m);

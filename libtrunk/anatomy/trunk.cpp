@@ -22,14 +22,14 @@ std::size_t index(int i) {
   return static_cast<std::size_t>(i);
 }
 
-/// What is given where it is a number, else what the tissue says.
+/// Returns the given value of each particle if that is a number, else the value of the tissue.
 std::vector<double> preferred(const std::vector<double>& given, std::vector<double> otherwise) {
   for (std::size_t i = 0; i < given.size() && i < otherwise.size(); ++i)
     if (std::isfinite(given[i])) otherwise[i] = given[i];
   return otherwise;
 }
 
-/// Elasticity lost on the paralysed side, as a factor of each particle.
+/// Returns the share of elasticity that paralysis leaves to each particle.
 std::vector<double> softening(const TrunkMesh& m, const Tissue& tissue) {
   std::vector<double> factor(m.rest.size(), 1.0);
   for (const char* region : diaphragm)
@@ -58,7 +58,7 @@ std::vector<Fibre> make_fibres(const TrunkMesh& m, const Tissue& tissue, double 
   return fibres;
 }
 
-/// See Tissue::held_stiffness. What a free rigid body carries is not held.
+/// See Tissue::held_stiffness. Particles of a free rigid body are not held.
 void stiffen_held(double factor, Model& model) {
   std::set<int> moving;
   for (const RigidBody& body : model.bodies)
@@ -71,7 +71,8 @@ void stiffen_held(double factor, Model& model) {
   }
 }
 
-/// One spring along every edge. The stiffness of a sheet of such springs does not depend on their length.
+/// Returns one spring for every edge. The stiffness of a sheet of such springs does not depend on their
+/// length.
 std::vector<MembraneEdge> make_membrane(const TrunkMesh& m, double stiffness) {
   std::vector<MembraneEdge> edges;
   if (stiffness == 0.0) return edges;

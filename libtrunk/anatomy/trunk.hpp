@@ -12,25 +12,27 @@ struct Trunk {
   TrunkMesh mesh;
 };
 
-/// Builds the trunk of the paper: elastic diaphragm and abdomen, central tendon, fibres, what is fixed, and
-/// (our addition) the rib cage and other rigid parts. Throws InputError on impossible sizes, factors or
-/// parts.
+/// Returns the trunk of the paper: elastic diaphragm and abdomen, central tendon, fibres, fixed particles,
+/// and (our addition) the rib cage and other rigid parts. Throws InputError if the mesh, a factor or a part
+/// is impossible.
 ///
-/// Parameters mean the same on a finer mesh (our choice): with n the mesh's fineness, shape memory is n^2
-/// times as stiff a particle, since the offset of a particle from its ring shrinks with the square of the
-/// spacing while the number of particles grows with it, so that the energy of a given bending stays; mass and
-/// damping are shared by n^2 times as many particles, and the muscle by n times as many fibres.
+/// Parameters mean the same on a finer mesh (our choice). Let n be the mesh's fineness. Shape memory is n^2
+/// times as stiff at each particle: the offset of a particle from its ring shrinks with the square of the
+/// spacing, while the number of particles grows with it, so that the energy of a given bending stays. n^2
+/// times as many particles share mass and damping, and n times as many fibres share the muscle.
 Trunk make_trunk(const TrunkMesh& mesh, const Tissue& tissue, Reaction reaction,
                  const std::vector<RigidPart>& parts = {});
 
-/// The same from the parametric template.
+/// Returns the same for the parametric template.
 Trunk make_template_trunk(const TrunkGeometry& geometry, const Tissue& tissue, Reaction reaction);
 
-/// What `TrunkMesh::given` would have to say for this tissue: per particle, before any paralysis.
+/// Returns mass, stiffness and damping of each particle, and the strength of a fibre, before any paralysis.
+/// What the mesh gives for single particles comes before the tissue.
 TrunkMesh::Given healthy_tissue(const TrunkMesh& mesh, const Tissue& tissue);
 
-/// The part of a particle that belongs to a side, x to the right of the midline: 1 inside, 0 on the other
-/// side, in between linearly over the 2 mm around the midline, so that 1/2 lies on it (our choice).
+/// Returns the share of a particle that belongs to a side, if it lies x m to the right of the midline: 1
+/// inside, 0 on the other side. Within 1 mm of the midline the share is linear in x, and on it 1/2 (our
+/// choice).
 double share_of_side(Side side, double x);
 
 }  // namespace trunk

@@ -25,7 +25,8 @@ std::string trimmed(const std::string& text) {
   return first == std::string::npos ? "" : text.substr(first, last - first + 1);
 }
 
-/// "3" or "0-3"; none where the text is neither.
+/// Adds the particles of "3" or "0-3". Returns false if the text is neither or a particle does not exist.
+/// => particles
 bool add_range(std::string_view item, std::vector<int>& particles, int count) {
   int first = 0, last = 0;
   const char *begin = item.data(), *end = begin + item.size();

@@ -4,9 +4,9 @@
 
 namespace trunk {
 
-/// The tangent plane of each support's surface where its particle is predicted to be. What the constraints
-/// then move a particle in one step, d, leaves the plane from the surface by d^2 times the curvature, below
-/// 1e-10 m (our choice). (next, body) => plane
+/// Calculates the tangent plane of each support's surface at the predicted place of its particle. If the
+/// constraints then move the particle by d in one step, the plane is off the surface by d^2 times the
+/// curvature, which is below 1e-10 m (our choice). (next, body) => plane
 template <Scalar S>
 void calc_planes(const Model& model, const State<S>& state, Workspace<S>& w) noexcept {
   for (std::size_t s = 0; s < model.supports.size(); ++s) {
@@ -37,14 +37,15 @@ void calc_planes(const Model& model, const State<S>& state, Workspace<S>& w) noe
 
 namespace detail {
 
-/// The part along the surface.
+/// Returns the part of a vector along the surface.
 template <Scalar S>
 Vec3<S> along(const typename Workspace<S>::Plane& plane, const Vec3<S>& a) noexcept {
   return a - dot(plane.normal, a) * plane.push;
 }
 
-/// Puts the particles that touch back on their plane and corrects them along it only, those that stick not at
-/// all; in the lanes of the mask. (plane, contact) => next, direction
+/// Puts the particles that touch back on their plane, in the lanes of the mask. The volume correction then
+/// moves these particles along the plane only, and those that stick not at all.
+/// (plane, contact) => next, direction
 template <Scalar S>
 void rest_on_supports(const Model& model, const State<S>& state, const Mask<S>& lanes,
                       Workspace<S>& w) noexcept {
@@ -59,14 +60,15 @@ void rest_on_supports(const Model& model, const State<S>& state, const Mask<S>& 
   }
 }
 
-/// How far outside a particle would be without its support.
+/// Returns how far outside a particle would be without its support.
 template <Scalar S>
 S unsupported_excess(const typename Workspace<S>::Plane& plane, const S& multiplier) noexcept {
   return plane.excess + multiplier * plane.rate;
 }
 
-/// A particle touches where, corrected as if its support were absent, it would be outside: decided again in
-/// the lanes of the mask. Returns true in the lanes where every support keeps its side. (plane) => contact
+/// Decides again, in the lanes of the mask, which particles touch: those that would be outside if the
+/// correction moved them as if their support were absent. Returns true in the lanes where no support changed.
+/// (plane) => contact
 template <Scalar S>
 Mask<S> update_touching(const Model& model, const S& multiplier, const Mask<S>& lanes, const Workspace<S>& w,
                         State<S>& state) noexcept {
@@ -80,7 +82,7 @@ Mask<S> update_touching(const Model& model, const S& multiplier, const Mask<S>& 
   return settled;
 }
 
-/// How far each support pushed its particle back. (contact, plane) => contact
+/// Records how far each support pushed its particle back. (contact, plane) => contact
 template <Scalar S>
 void record_press(const Model& model, const S& multiplier, const Workspace<S>& w, State<S>& state) noexcept {
   using std::sqrt;
@@ -92,10 +94,11 @@ void record_press(const Model& model, const S& multiplier, const Workspace<S>& w
   }
 }
 
-/// Coulomb's law for the particles that touched at the last step, with the push of that step (our choice; it
-/// is late by one step): one that would slide less far than friction times the push sticks to the surface,
-/// any other is held back by that much. A push of round-off, as at rest, makes nothing stick. (contact,
-/// multiplier) => plane, contact
+/// Applies Coulomb's law to the particles that touched at the last step, with the push of that step (our
+/// choice; the push is thus one step late). A particle that would slide less far than friction times the push
+/// sticks to the surface. Any other is held back by that distance. A push of round-off, as at rest, makes no
+/// particle stick.
+/// (contact, multiplier) => plane, contact
 template <Scalar S>
 void apply_friction(const Model& model, State<S>& state, Workspace<S>& w) noexcept {
   using std::sqrt;

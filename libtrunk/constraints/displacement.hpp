@@ -4,7 +4,7 @@
 
 namespace trunk {
 
-/// Puts the particles whose displacement is imposed where it says at `time_s`, on the imposed axes only
+/// Puts the particles with an imposed displacement in their place at `time_s`, on the imposed axes only
 /// (paper, "Boundary conditions"). => position
 template <Scalar S>
 void impose_displacements(const Model& model, double time_s, std::span<Vec3<S>> position) noexcept {

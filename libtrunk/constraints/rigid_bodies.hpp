@@ -5,7 +5,7 @@
 
 namespace trunk {
 
-/// Where a driven body is at `time_s`; a fixed one is where it was.
+/// Returns the pose of a driven body at `time_s`; a fixed body stays at rest.
 inline Pose<double> imposed_pose(const RigidBody& body, double time_s) noexcept {
   const ImposedMotion& m = body.imposed;
   if (body.motion != RigidBody::Motion::driven) return {body.centre, {}};
@@ -24,7 +24,7 @@ void place(const Model& model, const RigidBody& body, const Pose<S>& pose,
   }
 }
 
-/// The inverse of the inertia about the centre, as the body is turned, times a vector.
+/// Returns the inverse inertia about the centre, for the rotated body, times a vector.
 template <Scalar S>
 Vec3<S> inverse_inertia_times(const RigidBody& body, const Rotation<S>& rotation, const Vec3<S>& a) noexcept {
   const Vec3<S> at_rest = turn_back(rotation, a);
@@ -32,8 +32,9 @@ Vec3<S> inverse_inertia_times(const RigidBody& body, const Rotation<S>& rotation
   return turn(rotation, Vec3<S>{row(0), row(1), row(2)});
 }
 
-/// Newton's and Euler's laws for one free body, semi-implicit, damping implicit as for particles.
-/// Torque-free, the angular momentum stays to round-off. (state, force) => pose, angular_momentum
+/// Predicts one free body by Newton's and Euler's laws. The step is semi-implicit, and damping is implicit as
+/// for particles. Without torque, the angular momentum is constant to round-off.
+/// (state, force) => pose, angular_momentum
 template <Scalar S>
 void predict_free_body(const RigidBody& body, const typename State<S>::Body& now, const State<S>& state,
                        std::span<const Vec3<S>> force, double dt_s,
@@ -54,7 +55,7 @@ void predict_free_body(const RigidBody& body, const typename State<S>::Body& now
 
 }  // namespace detail
 
-/// Moves the bodies that can move to the end of the step, with the particles they carry.
+/// Moves the free and driven bodies to the end of the step, with the particles that they carry.
 /// (state, force) => body, next
 template <Scalar S>
 void predict_bodies(const Model& model, const State<S>& state, double end_s, Workspace<S>& w) noexcept {
@@ -71,8 +72,8 @@ void predict_bodies(const Model& model, const State<S>& state, double end_s, Wor
   }
 }
 
-/// How a free body moves under a unit of the volume's multiplier: as under the forces dV/dP of the particles
-/// it carries, at the start of the step. (state, area, next) => body, direction
+/// Calculates how a free body moves for one unit of the volume's multiplier: as under the forces dV/dP on its
+/// particles, at the start of the step. (state, area, next) => body, direction
 template <Scalar S>
 void calc_body_directions(const Model& model, const State<S>& state, Workspace<S>& w) noexcept {
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
@@ -98,8 +99,8 @@ void calc_body_directions(const Model& model, const State<S>& state, Workspace<S
   }
 }
 
-/// Moves the free bodies by `multiplier` of their directions, as rigid bodies. Returns whether there is any
-/// that the held volume moves. (body, multiplier) => next
+/// Moves the free bodies by `multiplier` times their directions, as rigid bodies. Returns whether the held
+/// volume moves any body. (body, multiplier) => next
 template <Scalar S>
 bool place_corrected_bodies(const Model& model, const S& multiplier, Workspace<S>& w) noexcept {
   bool moved = false;
@@ -115,7 +116,8 @@ bool place_corrected_bodies(const Model& model, const S& multiplier, Workspace<S
   return moved;
 }
 
-/// Takes over where the bodies are, with what the constraints let through. (body, multiplier) => state
+/// Makes the corrected bodies the state, with the velocities that the constraints leave. (body, multiplier)
+/// => state
 template <Scalar S>
 void accept_bodies(const Model& model, const S& multiplier, const Workspace<S>& w, State<S>& state) noexcept {
   const S rate(1.0 / w.dt_s);

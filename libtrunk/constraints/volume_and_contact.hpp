@@ -7,20 +7,21 @@
 
 namespace trunk {
 
-/// What the projection reports. The multiplier divided by dt^2 is the pressure inside the held volume, Pa:
+/// The result of the projection. The multiplier divided by dt^2 is the pressure p inside the held volume, Pa:
 /// the correction dt^2 (p dV/dx) / (m + dt c) is what a force p dV/dx would have added to the step.
 template <Scalar S>
 struct Projection {
   S multiplier{0.0};
-  Mask<S> found;  // false where no displacement restores the volume
+  Mask<S> found;  // false if no displacement restores the volume
 };
 
 namespace detail {
 
-/// The volume correction: dV/dP over the effective mass (the paper's eq. 2 for equal masses) along free axes,
-/// at the start of the step, where the forces are taken too (our choice; the paper takes it at the predicted
-/// positions): particles at rest then balance forces and pressure whatever the time step. (state, area) =>
-/// direction, plane
+/// Calculates the direction of the volume correction: dV/dP over the effective mass, along free axes (for
+/// equal masses the paper's eq. 2). The gradient is that at the start of the step, as for the forces (our
+/// choice; the paper takes it at the predicted positions). Forces and pressure then balance in particles at
+/// rest, for any time step.
+/// (state, area) => direction, plane
 template <Scalar S>
 void calc_direction(const Model& model, const State<S>& state, Workspace<S>& w) noexcept {
   for_all(w.held_pushed, [&](std::size_t i) {
@@ -34,7 +35,7 @@ void calc_direction(const Model& model, const State<S>& state, Workspace<S>& w) 
   }
 }
 
-/// Volume at next + lambda direction. (next, direction) => coefficients
+/// Returns the volume at next + lambda direction. (next, direction) => coefficients
 template <Scalar S>
 VolumeCubic<S> volume_along_direction(const Workspace<S>& w) noexcept {
   Vec3<S> c0, c1, c2, c3;
@@ -52,8 +53,8 @@ VolumeCubic<S> volume_along_direction(const Workspace<S>& w) noexcept {
   return {S(w.held_still) + sixth(c0), sixth(c1), sixth(c2), sixth(c3)};
 }
 
-/// True where no multiplier fits between the bounds but round-off: a particle touches without any force, and
-/// both sides of its support give the same positions.
+/// Returns true where only round-off is left between the bounds of the multiplier. A particle then touches
+/// without any force, and both sides of its support give the same positions.
 template <Scalar S>
 Mask<S> bracket_is_point(const S& low, const S& high) noexcept {
   const auto size = [](const S& a) { return select(a < S(0.0), -a, a); };
@@ -61,12 +62,13 @@ Mask<S> bracket_is_point(const S& low, const S& high) noexcept {
   return (high - low) < round_off;
 }
 
-/// Free bodies turn where the correction of their particles was straight: they are put back to their shape,
-/// and the volume that this takes, of second order in a small turn, is restored. (body, direction) => next
+/// Puts free bodies back into their shape and restores the volume that this takes. A free body turns, but the
+/// correction moved its particles along straight lines; the difference is of second order in a small turn.
+/// Returns the corrected multiplier. (body, direction) => next
 template <Scalar S>
 S restore_rigid_bodies(const Model& model, const S& target, const S& slope, S multiplier,
                        Workspace<S>& w) noexcept {
-  constexpr int corrections = 3;  // each leaves about 1e-5 of the one before
+  constexpr int corrections = 3;  // each leaves about 1e-5 of the error before it
   for (int n = 0; place_corrected_bodies(model, multiplier, w) && n < corrections; ++n) {
     const S volume = enclosed_volume<S>(model.abdomen.triangles, w.next);
     const S change = (target - volume) / slope;
@@ -76,7 +78,7 @@ S restore_rigid_bodies(const Model& model, const S& target, const S& slope, S mu
   return multiplier;
 }
 
-/// Nothing holds this body's volume: contact alone. (plane, contact) => next, contact
+/// Projects a model without a held volume: contact only. (plane, contact) => next, contact
 template <Scalar S>
 Projection<S> project_supports(const Model& model, State<S>& state, Workspace<S>& w) noexcept {
   const S none(0.0);
@@ -90,19 +92,20 @@ Projection<S> project_supports(const Model& model, State<S>& state, Workspace<S>
 
 }  // namespace detail
 
-/// The areas of the held volume's rings where its surface is not elastic: else they came with the forces.
+/// Calculates the areas of the held volume's rings. If its surface is elastic, they came with the forces
+/// already.
 /// (state) => area
 template <Scalar S>
 void calc_held_areas(const Model& model, const State<S>& state, Workspace<S>& w) noexcept {
   if (!w.elastic_volume) calc_ring_areas<S>(model.abdomen.rings, state.position, w.reactions.area);
 }
 
-/// Solves for positions that enclose the target volume exactly (paper, eq. 2) and cross no support, together:
-/// x = predicted + lambda d, put back on the plane where that is outside, with V(x) = target, and d the
-/// direction of `calc_direction`. V(x(lambda)) increases with lambda piece by piece, a cubic each; the search
-/// for the right piece starts from the last step's, takes the root of each piece, and halves the bracket
-/// where that leaves it. A lane that has arrived stays as it is while others search on: it does what it would
-/// do alone. (next, plane, area) => next, contact
+/// Solves for positions that enclose the target volume exactly (paper, eq. 2) and cross no support, both
+/// together: x = predicted + lambda d, put back on the plane where that is outside, with V(x) = target and
+/// the direction d of `calc_direction`. V(x(lambda)) increases with lambda and consists of pieces, each a
+/// cubic. The search for the right piece starts from that of the last step and takes the root of each piece;
+/// if the root is outside the bracket, it halves the bracket. A lane that has arrived does not change while
+/// others search on, so it has the bits that it has alone. (next, plane, area) => next, contact
 template <Scalar S>
 Projection<S> project_volume_and_supports(const Model& model, const S& target, State<S>& state,
                                           Workspace<S>& w) noexcept {
@@ -120,7 +123,7 @@ Projection<S> project_volume_and_supports(const Model& model, const S& target, S
       const S excess = cubic(multiplier) - target;
       low = select(excess < S(0.0), multiplier, low);
       high = select(S(0.0) < excess, multiplier, high);
-      // The contacts are those at `multiplier`: where the volume is right to round-off, this is the solution.
+      // The contacts are those at `multiplier`, so a volume that is right to round-off is the solution.
       const S round_off = S(4.0 * std::numeric_limits<double>::epsilon()) * target;
       reached = (excess < round_off) & (-round_off < excess);
     }

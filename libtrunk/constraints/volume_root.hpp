@@ -6,7 +6,7 @@
 
 namespace trunk {
 
-/// Enclosed volume along a direction: V(x + lambda d) = c0 + c1 lambda + c2 lambda^2 + c3 lambda^3, m3.
+/// The enclosed volume along a direction: V(x + lambda d) = c0 + c1 lambda + c2 lambda^2 + c3 lambda^3, m3.
 template <Scalar S>
 struct VolumeCubic {
   S c0, c1, c2, c3;
@@ -15,12 +15,13 @@ struct VolumeCubic {
   S slope(const S& lambda) const noexcept { return c1 + lambda * (S(2.0) * c2 + lambda * S(3.0) * c3); }
 };
 
-/// The real root of cubic(lambda) = target nearest to 0, by GSL's closed form; none where there is no real
-/// root or a coefficient is not finite. The slow way out, and the oracle of the tests.
+/// Returns the real root of cubic(lambda) = target that is nearest to 0, by GSL's closed form; nothing if
+/// there is no real root or if a coefficient is not finite. It is slow: the kernel needs it only if Newton's
+/// method fails, and the tests compare with it.
 std::optional<double> nearest_real_root(const VolumeCubic<double>& cubic, double target) noexcept;
 
-/// The root nearest 0 by Newton's method from 0; a few steps reach round-off, since a time step changes the
-/// volume little. Where it has not arrived the caller sees cubic(root) != target.
+/// Returns the root nearest to 0 by Newton's method from 0. A few steps reach round-off, since a time step
+/// changes the volume little. The caller has to check that cubic(root) is the target.
 template <Scalar S>
 S newton_root(const VolumeCubic<S>& cubic, const S& target) noexcept {
   S lambda = (target - cubic.c0) / cubic.c1;
@@ -28,8 +29,8 @@ S newton_root(const VolumeCubic<S>& cubic, const S& target) noexcept {
   return lambda;
 }
 
-/// The root used by the kernel: Newton's, and the closed form in the lanes where Newton fails; NaN where
-/// there is none.
+/// Returns the root for the kernel: that of Newton's method, or of the closed form in the lanes where
+/// Newton's method fails; NaN if there is none.
 template <Scalar S>
 S solve_volume(const VolumeCubic<S>& cubic, const S& target) noexcept {
   S lambda = newton_root(cubic, target);
@@ -46,15 +47,15 @@ S solve_volume(const VolumeCubic<S>& cubic, const S& target) noexcept {
   return lambda;
 }
 
-/// Of a Dual the value alone is solved for.
+/// Returns the root of the values of a Dual; its tangents are 0.
 template <int N>
 Dual<N> solve_volume(const VolumeCubic<Dual<N>>& cubic, const Dual<N>& target) noexcept {
   const VolumeCubic<double> values{cubic.c0.value, cubic.c1.value, cubic.c2.value, cubic.c3.value};
   return Dual<N>(solve_volume(values, target.value));
 }
 
-/// A root as a differentiable function of cubic and target: the same value; of a Dual the tangents are those
-/// of one Newton step, by which they are exact.
+/// Returns the root as a differentiable function of cubic and target. The value does not change. The tangents
+/// of a Dual are those of one Newton step, which makes them exact.
 template <Scalar S>
 S differentiable_root(const S& root, const VolumeCubic<S>&, const S&) noexcept {
   return root;

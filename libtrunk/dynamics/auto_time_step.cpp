@@ -10,7 +10,7 @@
 namespace trunk {
 namespace {
 
-/// A curve with its step, empty where the simulation failed.
+/// A curve and its step.
 struct Sampled {
   double dt_s;
   std::vector<double> delta_v;
@@ -30,7 +30,7 @@ std::optional<Sampled> run(const Model& model, const Trial<double>& trial, const
   return Sampled{grid.dt_s, std::move(curve.delta_v)};
 }
 
-/// The largest difference at the samples of the coarse curve, over the largest value of the fine one.
+/// Returns the largest difference at the samples of the coarse curve, over the largest value of the fine one.
 double difference(const Sampled& coarse, const Sampled& fine) {
   double apart = 0.0, largest = 0.0;
   for (double v : fine.delta_v) largest = std::max(largest, std::abs(v));
@@ -42,12 +42,12 @@ double difference(const Sampled& coarse, const Sampled& fine) {
   return largest > 0.0 ? apart / largest : 0.0;
 }
 
-/// As many whole steps as the breath takes, none longer than asked for.
+/// Returns the grid of fewest equal steps that make up the breath and are not longer than `at_most_s`.
 TimeGrid grid_of(double at_most_s, double duration_s, Damping damping) {
   return {duration_s / std::ceil(duration_s / at_most_s), duration_s, damping};
 }
 
-/// Bounds on the step of a model `stiffer` times as stiff.
+/// The spectral bounds on the step for both kinds of damping.
 struct Bounds {
   double centred_s, implicit_s;
 
@@ -62,12 +62,13 @@ Bounds bounds_of(const Model& model, Parameters<double> parameters, double stiff
           stable_time_step(model, parameters, Damping::implicit)};
 }
 
-/// Short steps to compare with: 1 ms, less where that is not a small part of the bound.
+/// Returns the short step to compare with: 1 ms, or a quarter of the bound if that is less.
 double short_step(const Bounds& bounds) {
   return std::min(1e-3, 0.25 * bounds.longest());
 }
 
-/// Centred damping, of second order, where that is calm (see Damping).
+/// Returns the grid to compare with. Damping is centred, which is of second order, if that is calm (see
+/// Damping).
 TimeGrid reference_grid(const Model& model, const Parameters<double>& parameters, double dt_s,
                         double duration_s) {
   double rate = 0.0;
@@ -76,7 +77,7 @@ TimeGrid reference_grid(const Model& model, const Parameters<double>& parameters
   return grid_of(dt_s, duration_s, dt_s * rate < 1.0 ? Damping::centred : Damping::implicit);
 }
 
-/// With |V_h - V_r| = e (h - r), the error e h; nothing where the simulation fails.
+/// Returns the error e h, with e from |V_h - V_r| = e (h - r); nothing if the simulation fails.
 std::optional<double> estimated_error(const Model& model, const Trial<double>& trial, const TimeGrid& grid,
                                       const Sampled& fine) {
   const auto coarse = run(model, trial, grid);
@@ -86,8 +87,9 @@ std::optional<double> estimated_error(const Model& model, const Trial<double>& t
 
 constexpr double safety = 0.95, longest_s = 8e-3;
 
-/// The longest one well above the reference's that serves, from that part of the bounds down; a bound beyond
-/// what is asked for, or none, counts as one at it.
+/// Returns the longest step within the tolerance that is well above the step of `fine`; nothing if there is
+/// none. The search begins at `part` of the bounds. A bound above the longest step, or infinity, counts as
+/// the longest step.
 std::optional<TimeStepChoice> longest_that_serves(const Model& model, const Trial<double>& trial,
                                                   double duration_s, const Bounds& bounds,
                                                   const Sampled& fine, double& part) {

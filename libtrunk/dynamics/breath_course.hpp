@@ -6,15 +6,15 @@
 
 namespace trunk {
 
-/// What a table keeps of one simulated breath, besides its curve.
+/// The volume curve of one simulated breath, and what tables need beside it.
 struct BreathCourse {
   VolumeCurve curve;
   double peak_pressure_Pa = 0.0;             // abdominal, above rest
   double max_relative_volume_error = 0.0;    // of the held volume
-  std::vector<Vec3d> at_highest, at_lowest;  // [particles] m, where the lung volume was highest and lowest
+  std::vector<Vec3d> at_highest, at_lowest;  // [particles] m, at the highest and the lowest lung volume
 };
 
-/// Observes a simulation, in every lane by itself: (state, report) => course.
+/// Observes a simulation, each lane by itself. (state, report) => course
 template <Scalar S>
 class BreathWatch {
  public:
@@ -36,7 +36,7 @@ class BreathWatch {
     keep_where(gain < lowest_, gain, state.position, lowest_, at_lowest_);
   }
 
-  /// Of one lane, what it saw until it ended.
+  /// Returns the course of one lane until it ended.
   BreathCourse course(Ending ending, int lane) const {
     BreathCourse c;
     const auto seen = static_cast<std::size_t>(ending.steps) + (ending.completed() ? 1 : 0);
@@ -77,8 +77,8 @@ class BreathWatch {
   std::vector<Vec3<S>> at_highest_, at_lowest_;  // [particles]
 };
 
-/// The courses of trials, side by side in the lanes of S, each with the bits it has alone. trials:
-/// [1 to lanes_of<S>], as are courses.
+/// Calculates the courses of trials, side by side in the lanes of S. Each has the bits that it has alone.
+/// trials, courses: [1 to lanes_of<S>].
 template <Scalar S>
 void calc_breath_courses(const Model& model, std::span<const Trial<double>> trials, const TimeGrid& grid,
                          const WhileSimulated& check, std::span<BreathCourse> courses) {

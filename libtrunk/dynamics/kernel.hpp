@@ -13,35 +13,37 @@ struct TimeGrid;
 struct VolumeCurve;
 struct BreathCourse;
 
-/// Called every few steps of a simulation; what it throws ends the simulation and is passed on.
+/// A function that a simulation calls every few steps. An exception from it ends the simulation and is passed
+/// on.
 using WhileSimulated = std::function<void()>;
 
-/// The simulator's loops as compiled for one instruction set. All of them give the same bits.
+/// The simulator's loops, compiled for one instruction set. All kernels give the same bits.
 struct Kernel {
   const char* instruction_set;
   int lanes;     // trials side by side in `volume_curves`
   int tangents;  // directions at once in `volume_derivatives`
   Step<double>* step;
 
-  /// The curves of 1 to `lanes` trials.
+  /// Calculates the curves of 1 to `lanes` trials.
   void (*volume_curves)(const Model&, std::span<const Trial<double>>, const TimeGrid&,
                         std::span<VolumeCurve>);
-  /// The curve of one.
+  /// Calculates the curve of one trial.
   void (*volume_curve)(const Model&, std::span<const Trial<double>>, const TimeGrid&, std::span<VolumeCurve>);
-  /// The courses of 1 to `lanes` trials, and of one.
+  /// Calculate the courses of 1 to `lanes` trials, and of one trial.
   void (*breath_courses)(const Model&, std::span<const Trial<double>>, const TimeGrid&, const WhileSimulated&,
                          std::span<BreathCourse>);
   void (*breath_course)(const Model&, std::span<const Trial<double>>, const TimeGrid&, const WhileSimulated&,
                         std::span<BreathCourse>);
-  /// The curve of one with its derivatives along 1 to `tangents` directions, m3 a unit of the direction.
+  /// Calculates the curve of one trial and its derivatives along 1 to `tangents` directions, m3 per unit of
+  /// the direction.
   void (*volume_derivatives)(const Model&, const Trial<double>&, std::span<const Trial<double>> directions,
                              const TimeGrid&, VolumeCurve&, std::span<std::vector<double>> derivatives);
 };
 
-/// Those that this machine can run, the best one last.
+/// Returns the kernels that this machine can run, the fastest one last.
 std::span<const Kernel* const> kernels();
 
-/// The best one.
+/// Returns the fastest kernel of this machine.
 const Kernel& kernel();
 
 }  // namespace trunk

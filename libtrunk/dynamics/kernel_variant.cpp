@@ -1,5 +1,5 @@
-// Compiled once an instruction set, each with the name and the number of lanes given by the build; of what a
-// variant defines, no other part of the program sees more than its Kernel (see CMakeLists.txt).
+// This file is compiled once for each instruction set. The build gives each variant its name and its number
+// of lanes. The rest of the program sees only the Kernel of a variant (see kernels.cmake).
 #include "dynamics/breath_course.hpp"
 #include "dynamics/kernel.hpp"
 #include "dynamics/volume_curve.hpp"

@@ -9,6 +9,7 @@
 
 namespace trunk {
 
+/// The steps of a simulation.
 struct TimeGrid {
   double dt_s = 1e-3;       // our choice; the paper ran about 3000 steps a second
   double duration_s = 4.5;  // one breath of the paper's activation
@@ -17,7 +18,7 @@ struct TimeGrid {
   int steps() const noexcept { return static_cast<int>(std::lround(duration_s / dt_s)); }
 };
 
-/// How a simulation ended. Starts unset, so that a forgotten run cannot look like a good one.
+/// How a simulation ended. The status is unset at first, so that a forgotten run cannot look like a good one.
 struct Ending {
   enum class Status { unset, completed, diverged, volume_lost };
   Status status = Status::unset;
@@ -28,14 +29,14 @@ struct Ending {
   bool completed() const noexcept { return status == Status::completed; }
 };
 
-/// How the simulation of each lane ended.
+/// How the simulation in each lane ended.
 template <Scalar S>
 using Endings = std::array<Ending, static_cast<std::size_t>(lanes_of<S>)>;
 
-/// The summary of a simulation that ended at that step and time, in words.
+/// Returns the ending of a simulation at a step and time, with its message.
 Ending make_ending(Ending::Status status, int step, double time_s);
 
-/// True where every particle is finite and nearer to its rest position than `reach_m`.
+/// Returns true where every particle is finite and nearer to its rest position than `reach_m`.
 template <Scalar S>
 Mask<S> within_reach(const Model& model, const State<S>& state, double reach_m) noexcept {
   Mask<S> within = S(0.0) < S(1.0);
@@ -46,14 +47,14 @@ Mask<S> within_reach(const Model& model, const State<S>& state, double reach_m) 
   return within;
 }
 
-/// Height of the model at rest, m: a particle that moved farther than this has left the trunk.
+/// Returns the height of the model at rest, m. A particle that moved farther than this has left the trunk.
 double height(const Model& model);
 
-/// Runs from rest over the grid, in lockstep. `observe(step, activation, state, report)` is called at step 0
-/// and after each step. A lane ends early, with the status and time in its Ending, where the volume cannot
-/// be held or a particle moves farther than the trunk is tall: what it then still shows means nothing, and
-/// the others do not feel it. Once all lanes have ended nothing more is observed. `advance` is `step`, as
-/// compiled here or elsewhere.
+/// Simulates all lanes from rest over the grid, in lockstep, and returns their endings. It calls
+/// `observe(step, activation, state, report)` at step 0 and after each step. A lane ends early if its volume
+/// cannot be held or if a particle moves farther than the trunk is tall. Its values then mean nothing and do
+/// not affect other lanes. Once all lanes have ended, `observe` is not called any more. `advance` is `step`,
+/// compiled here or for another instruction set.
 template <Scalar S, class Observer>
 Endings<S> simulate_lanes(const Model& model, const Parameters<S>& parameters,
                           const BreathActivation<S>& activation, const TimeGrid& grid, Observer&& observe,
@@ -87,7 +88,7 @@ Endings<S> simulate_lanes(const Model& model, const Parameters<S>& parameters,
   return endings;
 }
 
-/// The same for a single simulation, with the step that is the fastest on this machine.
+/// Simulates one trial, with the step that is the fastest on this machine, and returns its ending.
 template <Scalar S, class Observer>
 Ending simulate(const Model& model, const Parameters<S>& parameters, const BreathActivation<S>& activation,
                 const TimeGrid& grid, Observer&& observe) {

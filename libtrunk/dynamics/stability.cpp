@@ -16,7 +16,7 @@ double length(const Field& field) {
   return std::sqrt(sum);
 }
 
-/// A direction with a part along every mode; any fixed pattern without symmetry does.
+/// Returns a direction with a part along every mode. Any fixed pattern without symmetry is good.
 Field uneven_field(const Model& model) {
   Field field;
   for (std::size_t i = 0; i < model.particles(); ++i) {
@@ -27,7 +27,7 @@ Field uneven_field(const Model& model) {
   return field;
 }
 
-/// Accelerations per metre along `field`, with the sign of a stiffness: -M^-1 (dF/dx) field.
+/// Returns the accelerations per metre along `field`, with the sign of a stiffness: -M^-1 (dF/dx) field.
 Field stiffness_times(const Model& model, const Parameters<double>& parameters, const Field& field,
                       Workspace<double>& w) {
   const double step_m = 1e-6;

@@ -14,18 +14,18 @@
 
 namespace trunk {
 
-/// What one step tells.
+/// The result of one step.
 template <Scalar S>
 struct StepReport {
   S pressure_Pa{0.0};  // inside the held volume, above its rest value
-  Mask<S> ok;          // false where the volume could not be restored or a number is not finite
+  Mask<S> ok;          // false if the volume was not restored or a number is not finite
 };
 
-/// A function that does what `step` does.
+/// The type of `step`.
 template <Scalar S>
 using Step = StepReport<S>(const Model&, const Parameters<S>&, const S&, State<S>&, Workspace<S>&) noexcept;
 
-/// All forces at the current positions, N. (state, activation) => force
+/// Calculates all forces at the current positions, N. (state, activation) => force
 template <Scalar S>
 void calc_forces(const Model& model, const Parameters<S>& parameters, const S& activation,
                  const State<S>& state, Workspace<S>& w) noexcept {
@@ -37,9 +37,9 @@ void calc_forces(const Model& model, const Parameters<S>& parameters, const S& a
   add_pressure<S>(model.pressures, state.time_s, state.position, w.force);
 }
 
-/// Semi-implicit Euler with implicit damping (our choice): v' = (m v + dt F) / (m + dt c), x' = x + dt v'.
-/// With centred damping: v' = ((m - dt c / 2) v + dt F) / (m + dt c / 2). Both with dt v for how far a
-/// particle moved in the last step. (state, force) => next
+/// Predicts the positions at the end of the step by semi-implicit Euler (our choice). With implicit damping
+/// v' = (m v + dt F) / (m + dt c), with centred damping v' = ((m - dt c / 2) v + dt F) / (m + dt c / 2), and
+/// x' = x + dt v'. Here dt v is the movement of the particle in the last step. (state, force) => next
 template <Scalar S>
 void predict(const State<S>& state, Workspace<S>& w) noexcept {
   for_all(w.moving, [&](std::size_t i) {
@@ -48,7 +48,7 @@ void predict(const State<S>& state, Workspace<S>& w) noexcept {
   });
 }
 
-/// Where the constraints let particles and bodies go is where they are. (next, body) => state
+/// Makes the corrected positions of particles and bodies the state. (next, body) => state
 template <Scalar S>
 void accept(const Model& model, const S& multiplier, Workspace<S>& w, State<S>& state) noexcept {
   std::swap(state.previous, state.position);
@@ -58,7 +58,7 @@ void accept(const Model& model, const S& multiplier, Workspace<S>& w, State<S>& 
   state.time_s += w.dt_s;
 }
 
-/// Advances the state by one step of w.dt_s: forces, integration, constraints. Allocates nothing.
+/// Advances the state by one step of w.dt_s: forces, integration, constraints. It allocates nothing.
 template <Scalar S>
 StepReport<S> step(const Model& model, const Parameters<S>& parameters, const S& activation, State<S>& state,
                    Workspace<S>& w) noexcept {

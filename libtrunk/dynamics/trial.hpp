@@ -10,14 +10,14 @@
 
 namespace trunk {
 
-/// All in which two simulations of one trunk over one time grid may differ.
+/// Everything in which two simulations of one trunk over one time grid may differ.
 template <Scalar S>
 struct Trial {
   Parameters<S> parameters;
   BreathActivation<S> activation;
 };
 
-/// Its numbers, in a fixed order.
+/// Returns the numbers of a trial, in a fixed order.
 template <Scalar S>
 std::array<S*, 10 + ShapeKnots::count> numbers(Trial<S>& trial) noexcept {
   auto& [p, a] = trial;
@@ -28,7 +28,7 @@ std::array<S*, 10 + ShapeKnots::count> numbers(Trial<S>& trial) noexcept {
   return all;
 }
 
-/// A trial a lane. trials: [1 to lanes_of<S>]; the last one fills the lanes that are left.
+/// Returns one trial in each lane. trials: [1 to lanes_of<S>]; the last one also fills the other lanes.
 template <Scalar S>
 Trial<S> in_lanes(std::span<const Trial<double>> trials) noexcept {
   Trial<S> side_by_side;
@@ -40,14 +40,14 @@ Trial<S> in_lanes(std::span<const Trial<double>> trials) noexcept {
   return side_by_side;
 }
 
-/// A direction in which to change a trial: by nothing.
+/// Returns the zero direction.
 inline Trial<double> no_change() noexcept {
   Trial<double> direction;
   for (double* number : numbers(direction)) *number = 0.0;
   return direction;
 }
 
-/// A trial with its derivatives along directions, [0 to N]; along those that are left, 0.
+/// Returns a trial with its derivatives along directions; the other tangents are 0. directions: [0 to N].
 template <int N>
 Trial<Dual<N>> with_tangents(const Trial<double>& trial, std::span<const Trial<double>> directions) noexcept {
   Trial<Dual<N>> result = in_lanes<Dual<N>>({&trial, 1});

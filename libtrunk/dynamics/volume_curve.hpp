@@ -7,22 +7,23 @@
 
 namespace trunk {
 
-/// Lung volume above its start at every step, m3: what a fit compares.
+/// The lung volume above its start at every step, m3. A fit compares it with the measured one.
 struct VolumeCurve {
   Ending ending;
   std::vector<double> delta_v;  // [steps + 1]; fewer where the simulation ended early
 };
 
-/// A lung of no volume has turned inside out: whatever comes of it is no breath.
+/// Sets the ending to diverged if the lung volume fell to 0 or below: the lung has then turned inside out,
+/// and the result is not a breath.
 void require_lung(double lowest_volume, Ending& ending);
 void require_lung(double start_volume, VolumeCurve& curve);
 
-/// Lung volume above its start, m3. Triangles that are still add the same at all times and are left out.
+/// The lung volume above its start, m3. Triangles that never move add a constant and are left out.
 class LungGain {
  public:
   explicit LungGain(const Model& model);
 
-  /// position: [particles] m
+  /// Returns the volume above the start. position: [particles] m
   template <Scalar S>
   S of(std::span<const Vec3<S>> position) const noexcept {
     return volume_of_fans<S>(moving_, position) - S(start_);
@@ -30,10 +31,11 @@ class LungGain {
 
  private:
   RingTable moving_;  // fans
-  double start_;      // m3, what they enclose with the origin at rest
+  double start_;      // m3, the volume of these triangles with the origin, at rest
 };
 
-/// Lung volume above its start at every step that was reached, m3.
+/// Simulates a trial and returns how each lane ended. => delta_v, the lung volume above its start at every
+/// step that was reached, m3
 template <Scalar S>
 Endings<S> simulate_volume(const Model& model, const Trial<S>& trial, const TimeGrid& grid,
                            std::vector<S>& delta_v) {
@@ -45,7 +47,7 @@ Endings<S> simulate_volume(const Model& model, const Trial<S>& trial, const Time
                         });
 }
 
-/// The curve of one lane: what it saw until it ended.
+/// Returns the curve of one lane until it ended.
 template <Scalar S>
 VolumeCurve curve_in_lane(const Model& model, std::span<const S> delta_v, Ending ending, int lane) {
   const std::size_t seen = static_cast<std::size_t>(ending.steps) + (ending.completed() ? 1 : 0);
@@ -56,7 +58,8 @@ VolumeCurve curve_in_lane(const Model& model, std::span<const S> delta_v, Ending
   return curve;
 }
 
-/// The volume curves of trials, side by side in the lanes of S. trials: [1 to lanes_of<S>], as are curves.
+/// Calculates the volume curves of trials, side by side in the lanes of S.
+/// trials, curves: [1 to lanes_of<S>].
 template <Scalar S>
 void calc_volume_curves(const Model& model, std::span<const Trial<double>> trials, const TimeGrid& grid,
                         std::span<VolumeCurve> curves) {
@@ -66,8 +69,8 @@ void calc_volume_curves(const Model& model, std::span<const Trial<double>> trial
     curves[i] = curve_in_lane<S>(model, delta_v, endings[i], static_cast<int>(i));
 }
 
-/// The volume curve of a trial and its derivatives along directions. directions: [0 to N], as are
-/// derivatives.
+/// Calculates the volume curve of a trial and its derivatives along directions.
+/// directions, derivatives: [0 to N].
 template <int N>
 void calc_volume_derivatives(const Model& model, const Trial<double>& trial,
                              std::span<const Trial<double>> directions, const TimeGrid& grid,

@@ -32,7 +32,8 @@ struct Mistake {
 /// where the text of an error is formed. Control characters of the input do not reach the terminal.
 std::string text_of(const Mistake& mistake);
 
-/// Something that the user gave us cannot be used. The program prints what() and exits with 2.
+/// Thrown when the program cannot use something that the user gave. The program prints what() and exits with
+/// 2.
 class InputError : public std::runtime_error {
  public:
   explicit InputError(Mistake mistake);
@@ -55,7 +56,8 @@ class InputError : public std::runtime_error {
   std::vector<Mistake> mistakes_;
 };
 
-/// Several mistakes that one pass found. what() is the text of the first, and says how many more there are.
+/// Thrown when one pass over the input found several mistakes. what() is the text of the first one and says
+/// how many more there are.
 class InputErrors : public InputError {
  public:
   /// `mistakes` holds at least one.

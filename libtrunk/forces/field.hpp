@@ -4,8 +4,8 @@
 
 namespace trunk {
 
-/// Sets every force to the weight of its particle, m g (paper, "Force field"). The other field, viscous
-/// damping -c v, is taken implicitly by the integrator. () => force
+/// Sets every force to the weight of its particle, m g (paper, "Force field"). The integrator treats the
+/// other field, viscous damping -c v. () => force
 template <Scalar S>
 void set_gravity(const Model& model, std::span<Vec3<S>> force) noexcept {
   const Vec3<S> gravity = lift<S>(model.gravity);

@@ -4,7 +4,7 @@
 
 namespace trunk {
 
-/// Adds the focal forces as they are at `time_s` (paper, "Focal force"). () => force
+/// Adds the focal forces at `time_s` (paper, "Focal force"). () => force
 template <Scalar S>
 void add_focal(std::span<const FocalForce> forces, double time_s, std::span<Vec3<S>> force) noexcept {
   for (const FocalForce& f : forces)

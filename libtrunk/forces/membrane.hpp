@@ -4,8 +4,8 @@
 
 namespace trunk {
 
-/// Adds the springs between neighbours: what shape memory does not see, stretch within a flat patch (our
-/// choice, an option). Equal and opposite. (position) => force
+/// Adds the forces of the springs between neighbours, equal and opposite. They resist stretch within a flat
+/// patch, which shape memory does not (our choice, an option). (position) => force
 template <Scalar S>
 void add_membrane(std::span<const MembraneEdge> edges, std::span<const Vec3<S>> position,
                   std::span<Vec3<S>> force) noexcept {

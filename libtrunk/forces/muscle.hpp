@@ -4,8 +4,8 @@
 
 namespace trunk {
 
-/// Adds the pull of every fibre: each end is drawn to the other with stiffness A(t) k_muscle, equal and
-/// opposite, zero rest length (paper, "Dynamics"). `stiffness` is A(t) k_muscle, N/m. (position) => force
+/// Adds the pull of every fibre on both ends, equal and opposite: a spring of zero rest length with the
+/// stiffness A(t) k_muscle (paper, "Dynamics"). `stiffness` is A(t) k_muscle, N/m. (position) => force
 template <Scalar S>
 void add_muscle(std::span<const Fibre> fibres, const S& stiffness, std::span<const Vec3<S>> position,
                 std::span<Vec3<S>> force) noexcept {

@@ -4,8 +4,8 @@
 
 namespace trunk {
 
-/// Adds pressures as they are at `time_s`: each triangle is pushed against the side it faces by pressure
-/// times its area, a third at each corner (LML `Pressure`; that it follows the surface is our choice).
+/// Adds the pressures at `time_s` (LML `Pressure`). The force on a triangle is the pressure times its area,
+/// against the side that it faces, a third at each corner. It follows the surface (our choice).
 /// (position) => force
 template <Scalar S>
 void add_pressure(std::span<const PressureLoad> loads, double time_s, std::span<const Vec3<S>> position,

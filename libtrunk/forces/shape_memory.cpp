@@ -24,8 +24,8 @@ void require_usable(const Surface& surface) {
                        fmt::format("3 to {}", max_valence));
 }
 
-/// Turns each ring so that it begins with the neighbour that lies most upward of the particle, then most
-/// forward: a choice that a left-right mirror image shares, so that a symmetric body stays symmetric.
+/// Rotates each ring so that it begins with the neighbour most upward of the particle, or of several the one
+/// most forward. A left-right mirror image has the same beginnings, so that a symmetric body stays symmetric.
 void begin_upward(RingTable& rings, std::span<const Vec3d> rest) {
   const double tie = 1e-9;
   for (const RingTable::Group& group : rings.groups)

@@ -9,12 +9,13 @@
 
 namespace trunk {
 
-/// More neighbours than any sensible mesh has; bounds the kernel's stack.
+/// The most neighbours that a particle may have: more than in any sensible mesh, so more are a mistake of the
+/// mesh.
 inline constexpr std::size_t max_valence = 64;
 
-/// The local frame of a one-ring: centre G of the neighbours, unit normal n of their area vector, u toward
-/// the first neighbour within the surface, v = n x u (paper, figure "local coordinate system"; u is our
-/// choice). It does not depend on the particle itself.
+/// The local frame of a one-ring: the centre G of the neighbours, the unit normal n along their area vector,
+/// u toward the first neighbour within the surface, and v = n x u (paper, figure "local coordinate system"; u
+/// is our choice). The frame does not depend on the particle itself.
 template <Scalar S>
 struct LocalFrame {
   Vec3<S> centre, u, v, n;
@@ -24,8 +25,8 @@ struct LocalFrame {
   S inverse_radius;  // 1 / distance of N_1 from the axis through G along n, 1/m
 };
 
-/// neighbours: [valence] positions in ring order, m; the valence may be a compile-time number. The two roots
-/// and the two divisions do not wait for each other.
+/// Returns the local frame of a ring. neighbours: [valence] positions in ring order, m; the valence may be
+/// known at compile time. The two roots and the two divisions do not wait for each other.
 template <Scalar S, class Neighbours>
 [[gnu::always_inline]] inline LocalFrame<S> local_frame(const Neighbours& neighbours) noexcept {
   using std::sqrt;
@@ -47,22 +48,23 @@ template <Scalar S, class Neighbours>
   return frame;
 }
 
-/// Where the particle would be at rest relative to its neighbours: T = G + x0 u + y0 v + z0 n (paper,
-/// "Dynamics"; Cartesian numbers instead of two angles and a distance, so that nothing is undefined at a
-/// distance of zero). Returned relative to G.
+/// Returns where the particle would be at rest relative to its neighbours, T - G = x0 u + y0 v + z0 n (paper,
+/// "Dynamics"). The paper has two angles and a distance; Cartesian numbers are also defined at a distance of
+/// zero.
 template <Scalar S>
 Vec3<S> target_offset(const LocalFrame<S>& frame, const Vec3<S>& rest_offset) noexcept {
   return rest_offset.x() * frame.u + rest_offset.y() * frame.v + rest_offset.z() * frame.n;
 }
 
-/// What one ring does: the force F = k (T - P) on its particle, and the terms of what is to be subtracted
-/// from the forces on its neighbours. The variational reactions are derived in README, "Design".
+/// The forces of one ring: F = k (T - P) on its particle, and the terms of the reactions, which are
+/// subtracted from the forces on its neighbours. libtrunk/README.md ("Reaction") derives the variational
+/// reactions.
 template <Scalar S>
 struct RingForces {
   Vec3<S> on_particle;
-  Vec3<S> share;  // each neighbour's
+  Vec3<S> share;  // on each neighbour
   Vec3<S> tilt;   // turns the ring's plane; per chord between the neighbours of a neighbour
-  Vec3<S> spin;   // turns u: taken up by the first neighbour
+  Vec3<S> spin;   // turns u; acts on the first neighbour
   Vec3<S> area;   // twice the ring's area vector, m2
 };
 
@@ -87,7 +89,7 @@ template <Reaction reaction, Scalar S>
   return {f, share * (f - spin_force), tilt_u * frame.u - tilt_v * frame.v, spin_force, frame.area};
 }
 
-/// One ring. (position) => reactions
+/// Calculates the forces of one ring. (position) => reactions
 template <Reaction reaction, std::size_t Valence, Scalar S>
 void calc_ring(const ShapeMemory& memory, const RingTable::Group& group, int ring,
                std::span<const S> stiffness, std::span<const Vec3<S>> position,
@@ -104,8 +106,8 @@ void calc_ring(const ShapeMemory& memory, const RingTable::Group& group, int rin
 }
 
 #ifdef __AVX__
-/// Four rings side by side, each neighbour packed where it is needed: all of them are more than the registers
-/// hold.
+/// Four rings side by side. Each neighbour is packed where it is needed, since the registers do not hold all
+/// of them.
 template <std::size_t Valence, class InRing>
 struct PackedRing {
   const InRing& in_ring;  // (lane, j)
@@ -116,7 +118,8 @@ struct PackedRing {
   }
 };
 
-/// The same for four rings of a single simulation, side by side in the lanes of a register.
+/// Calculates the forces of four rings of one simulation, side by side in the lanes of a register.
+/// (position) => reactions
 template <Reaction reaction, std::size_t Valence>
 void calc_four_rings(const ShapeMemory& memory, const RingTable::Group& group, int ring,
                      std::span<const double> stiffness, std::span<const Vec3d> position,
@@ -132,8 +135,8 @@ void calc_four_rings(const ShapeMemory& memory, const RingTable::Group& group, i
   };
   const PackedRing<Valence, decltype(in_ring)> neighbours{in_ring};
   const auto& rest = memory.rest_offset;
-  const LocalFrame<Four> frame =
-      local_frame<Four>(neighbours);  // before the rest is packed: registers are few
+  // The frame comes before the rest is packed, since registers are few.
+  const LocalFrame<Four> frame = local_frame<Four>(neighbours);
   const RingForces<Four> found = ring_forces<reaction, Four>(
       frame, Valence,
       packed(position[vertex(0)], position[vertex(1)], position[vertex(2)], position[vertex(3)]),
@@ -152,8 +155,8 @@ void calc_four_rings(const ShapeMemory& memory, const RingTable::Group& group, i
 }
 #endif
 
-/// All rings of one valence, four at a time where that can be; the last four may do some again, to the same
-/// end. (position) => reactions
+/// Calculates the forces of all rings of one valence, four at a time where possible. The last four may
+/// include rings that are done already; their results are the same. (position) => reactions
 template <Reaction reaction, std::size_t Valence, Scalar S>
 void calc_rings(const ShapeMemory& memory, const RingTable::Group& group, std::span<const S> stiffness,
                 std::span<const Vec3<S>> position, RingReactions<S>& reactions) noexcept {
@@ -170,10 +173,10 @@ void calc_rings(const ShapeMemory& memory, const RingTable::Group& group, std::s
     calc_ring<reaction, Valence, S>(memory, group, ring, stiffness, position, reactions);
 }
 
-/// Adds up what the rings do to each particle. On a closed surface the rings that ask something of it are
-/// those of its own neighbours, and in the ring of neighbour j it stands between j + 1 and j - 1: the sum of
-/// (N_(j-1) - N_(j+1)) x tilt_j is how twice the area of its own ring grows with the tilts. (position,
-/// reactions) => force
+/// Adds up the forces of the rings on each particle. On a closed surface, the rings that react on a particle
+/// are those of its own neighbours, and in the ring of neighbour j it stands between j + 1 and j - 1. The sum
+/// of (N_(j-1) - N_(j+1)) x tilt_j is thus how twice the area of its own ring grows with the tilts.
+/// (position, reactions) => force
 template <Reaction reaction, Scalar S>
 void add_ring_forces(const ShapeMemory& memory, std::span<const Vec3<S>> position,
                      const RingReactions<S>& reactions, std::span<Vec3<S>> force) noexcept {
@@ -193,8 +196,8 @@ void add_ring_forces(const ShapeMemory& memory, std::span<const Vec3<S>> positio
     });
 }
 
-/// Adds the forces of all rings: first what each does, then what that comes to for the particles, so that no
-/// ring waits for another. Of forces on particles that are still, no more than parts is added.
+/// Adds the forces of all rings. The rings come first and the sums for the particles second, so that no ring
+/// waits for another. Particles that no force moves get only parts of their forces.
 /// (position, ring_stiffness) => reactions, force
 template <Reaction reaction, Scalar S>
 void add_shape_memory(const ShapeMemory& memory, std::span<const S> ring_stiffness,
@@ -216,18 +219,19 @@ void add_shape_memory(const ShapeMemory& memory, std::span<const S> ring_stiffne
     add_shape_memory<Reaction::published, S>(memory, ring_stiffness, position, reactions, force);
 }
 
-/// Energy 1/2 k |P - T|^2 summed over the rings, J. The variational forces are its negative gradient.
+/// Returns the energy 1/2 k |P - T|^2 summed over the rings, J. The variational forces are its negative
+/// gradient.
 double shape_memory_energy(const ShapeMemory& memory, std::span<const double> ring_stiffness,
                            std::span<const Vec3d> position);
 
-/// Remembers the shape of a closed surface. rest: [particles] m. Weights: [particles].
-/// Throws InputError where a ring has fewer than 3 or more than max_valence neighbours.
+/// Returns the shape memory of a closed surface at rest; throws InputError if a ring has fewer than 3 or more
+/// than max_valence neighbours. rest: [particles] m; stiffness_weight, abdominal_share: [particles].
 ShapeMemory make_shape_memory(const Surface& surface, std::span<const Vec3d> rest,
                               std::span<const double> stiffness_weight,
                               std::span<const double> abdominal_share, Reaction reaction);
 
-/// Leaves out the forces on particles that no force moves, and the rings that act on no others. pushed:
-/// [particles].
+/// Removes the forces on particles that no force moves, and the rings that act only on such particles.
+/// pushed: [particles]. => memory
 void leave_out_unpushed(const std::vector<bool>& pushed, ShapeMemory& memory);
 
 }  // namespace trunk

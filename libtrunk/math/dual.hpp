@@ -4,19 +4,19 @@
 
 namespace trunk {
 
-/// A value and its derivatives along N directions, exact but for round-off: the tangents follow the value
-/// through every operation. Comparisons see the value alone, and the value is what it would be as a double,
-/// to the bit.
+/// A value and its derivatives along N directions. The derivatives are exact but for round-off: the tangents
+/// follow the value through every operation. Comparisons look at the value alone, and the value has the same
+/// bits as a double would have.
 template <int N>
 struct Dual {
   double value = 0.0;
-  Lanes<N> tangent;  // one register: g++ 12 makes twice the work of an array
+  Lanes<N> tangent;  // one register: with an array, g++ 12 makes code that does twice the work
 
   constexpr Dual() noexcept = default;
   constexpr explicit Dual(double v) noexcept : value(v) {}
   constexpr Dual(double v, Lanes<N> t) noexcept : value(v), tangent(t) {}
 
-  // Copied number by number, as Vec3 is.
+  // The copy goes number by number, as in Vec3.
   constexpr Dual(const Dual& a) noexcept : value(a.value), tangent(a.tangent) {}
   constexpr Dual& operator=(const Dual& a) noexcept {
     value = a.value;

@@ -11,11 +11,11 @@ struct LaneRegister {  // the element type must be a parameter, or g++ drops the
   typedef T Type __attribute__((vector_size(W * sizeof(T)), aligned(W * sizeof(T))));
 };
 
-/// A truth in each lane: what comparing two Lanes<W> gives.
+/// One bool in each lane: the result of comparing two Lanes<W>.
 template <int W>
 class LaneMask {
  public:
-  using Register = typename LaneRegister<std::int64_t, W>::Type;  // all bits of a lane set, or none
+  using Register = typename LaneRegister<std::int64_t, W>::Type;  // all bits of a lane are set, or none
 
   constexpr LaneMask() noexcept : r_{} {}
   constexpr explicit LaneMask(Register r) noexcept : r_(r) {}
@@ -41,7 +41,7 @@ class LaneMask {
   Register r_;
 };
 
-/// W numbers in one register, every operation on all of them at once, each rounding as double does.
+/// W numbers in one register. Every operation acts on all of them at once and rounds each as a double.
 template <int W>
 class Lanes {
  public:
@@ -81,7 +81,7 @@ template <int W>
 inline constexpr int lanes_of<Lanes<W>> = W;
 
 #ifdef __AVX__
-/// Four vectors as one vector of lanes, and back: a transposition of (x, y, z, 0) rows.
+/// Returns four vectors as one vector of lanes: it transposes the rows (x, y, z, 0). `unpacked` undoes it.
 inline Vec3<Lanes<4>> packed(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d) noexcept {
   const auto ab02 = __builtin_shufflevector(a.bits(), b.bits(), 0, 4, 2, 6);
   const auto ab13 = __builtin_shufflevector(a.bits(), b.bits(), 1, 5, 3, 7);

@@ -4,27 +4,28 @@
 
 namespace trunk {
 
-/// A rotation, as a unit quaternion (w, v).
+/// A rotation as a unit quaternion (w, v).
 template <Scalar S>
 struct Rotation {
   S w{1.0};
   Vec3<S> v;
 };
 
-/// The rotated vector.
+/// Returns the rotated vector.
 template <Scalar S>
 Vec3<S> turn(const Rotation<S>& r, const Vec3<S>& a) noexcept {
   const Vec3<S> half = cross(r.v, a) + r.w * a;
   return a + S(2.0) * cross(r.v, half);
 }
 
-/// The rotated vector of the opposite rotation.
+/// Returns the vector rotated back.
 template <Scalar S>
 Vec3<S> turn_back(const Rotation<S>& r, const Vec3<S>& a) noexcept {
   return turn(Rotation<S>{r.w, S(-1.0) * r.v}, a);
 }
 
-/// `first`, then `second`; put back to unit length, so that round-off does not add up.
+/// Returns the rotation `first` followed by `second`, scaled back to unit length so that round-off does not
+/// add up.
 template <Scalar S>
 Rotation<S> then(const Rotation<S>& first, const Rotation<S>& second) noexcept {
   using std::sqrt;
@@ -34,8 +35,8 @@ Rotation<S> then(const Rotation<S>& first, const Rotation<S>& second) noexcept {
   return {inverse_length * p.w, inverse_length * p.v};
 }
 
-/// The rotation by about |angle| rad around the direction of `angle`: the Cayley transform, a rotation
-/// whatever the angle, wrong by |angle|^3 / 12, and needing no trigonometry.
+/// Returns the rotation by about |angle| rad around the direction of `angle` (Cayley transform). It is a
+/// rotation for any angle, its angle is wrong by |angle|^3 / 12, and it needs no trigonometry.
 template <Scalar S>
 Rotation<S> small_rotation(const Vec3<S>& angle) noexcept {
   using std::sqrt;
@@ -43,7 +44,7 @@ Rotation<S> small_rotation(const Vec3<S>& angle) noexcept {
   return {w, (S(0.5) * w) * angle};
 }
 
-/// The rotation by `angle` rad around a unit vector, counter-clockwise seen from its tip.
+/// Returns the rotation by `angle` rad around a unit vector, counter-clockwise seen from its tip.
 inline Rotation<double> rotation_about(const Vec3d& axis, double angle) noexcept {
   return {std::cos(0.5 * angle), std::sin(0.5 * angle) * axis};
 }

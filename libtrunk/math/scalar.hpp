@@ -5,9 +5,9 @@
 
 namespace trunk {
 
-/// What the kernel asks of a number. `double` is one; Lanes<W> (a parameter set a lane) and Dual<N> (a value
-/// with its tangents) are others. The kernel never branches on a Scalar: comparisons give a Mask<S>, and
-/// `select(mask, a, b)` takes a where the mask holds and b elsewhere.
+/// What the kernel needs of a type of number. `double` is a Scalar, and so are Lanes<W> (one parameter set in
+/// each lane) and Dual<N> (a value with its tangents). The kernel never branches on a Scalar: a comparison
+/// gives a Mask<S>, and `select(mask, a, b)` takes a where the mask is true and b elsewhere.
 template <class S>
 concept Scalar = requires(S a, S b, double d) {
   { a + b } -> std::convertible_to<S>;
@@ -31,11 +31,11 @@ constexpr bool select(bool mask, bool a, bool b) noexcept {
   return mask ? a : b;
 }
 
-/// How many simulations run side by side in one S.
+/// The number of simulations that run side by side in one S.
 template <Scalar S>
 inline constexpr int lanes_of = 1;
 
-/// The number, or the truth, in one of the lanes.
+/// Returns the number, or the bool, in one of the lanes.
 template <std::floating_point S>
 constexpr double in_lane(S a, int) noexcept {
   return static_cast<double>(a);
@@ -55,7 +55,8 @@ constexpr bool all(bool mask) noexcept {
   return mask;
 }
 
-/// True where the value is finite (no NaN, no infinity), without relying on the floating-point environment.
+/// Returns true where the value is finite (no NaN, no infinity). It does not rely on the floating-point
+/// environment.
 template <Scalar S>
 constexpr Mask<S> finite(const S& a) noexcept {
   return (a - a) * (a - a) < S(1.0);

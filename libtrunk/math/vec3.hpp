@@ -11,8 +11,8 @@ class Vec3 {
  public:
   constexpr Vec3() noexcept : x_(0.0), y_(0.0), z_(0.0) {}
   constexpr Vec3(const S& x, const S& y, const S& z) noexcept : x_(x), y_(y), z_(z) {}
-  // Copied number by number: g++ 12 copies the whole in pieces of 16 bytes, and reading 32 of them back
-  // waits.
+  // The copy goes number by number: g++ 12 would copy pieces of 16 bytes, and a later read of 32 bytes would
+  // wait for them.
   constexpr Vec3(const Vec3& a) noexcept : x_(a.x_), y_(a.y_), z_(a.z_) {}
   constexpr Vec3& operator=(const Vec3& a) noexcept {
     x_ = a.x_;
@@ -34,20 +34,21 @@ class Vec3 {
   friend constexpr Vec3 operator*(const S& k, const Vec3& a) noexcept {
     return {k * a.x_, k * a.y_, k * a.z_};
   }
-  /// Component by component.
+  /// Returns the product component by component.
   friend constexpr Vec3 hadamard(const Vec3& a, const Vec3& b) noexcept {
     return {a.x_ * b.x_, a.y_ * b.y_, a.z_ * b.z_};
   }
-  /// (y, z, x).
+  /// Returns (y, z, x).
   friend constexpr Vec3 turned(const Vec3& a) noexcept { return {a.y_, a.z_, a.x_}; }
 
  private:
   S x_, y_, z_;
 };
 
-/// The same as (x, y, z, 0) in one 4-wide register, or in two halves where the instruction set has none; the
-/// memory is the same, and every operation rounds as in the general form. The functions
-/// that read one number are not constexpr: clang 14 cannot read a part of a register while it compiles.
+/// The same, stored as (x, y, z, 0) in one register of 4 numbers, or in two halves where the instruction set
+/// has no such register. The memory is the same, and every operation rounds as in the general form. The
+/// functions that read one number are not constexpr: clang 14 cannot read a part of a register while it
+/// compiles.
 template <>
 class alignas(4 * sizeof(double)) Vec3<double> {
  public:
@@ -144,7 +145,7 @@ constexpr S dot(const Vec3<S>& a, const Vec3<S>& b) noexcept {
   return p.x() + p.y() + p.z();
 }
 
-/// a x b = turned(unturned_cross(a, b)): a sum of cross products is turned once, at its end.
+/// Returns a vector whose turned() is a x b. A sum of cross products is thus turned only once, at its end.
 template <Scalar S>
 constexpr Vec3<S> unturned_cross(const Vec3<S>& a, const Vec3<S>& b) noexcept {
   return hadamard(a, turned(b)) - hadamard(turned(a), b);
@@ -160,7 +161,7 @@ S norm(const Vec3<S>& a) noexcept {
   return sqrt(dot(a, a));
 }
 
-/// a where the mask holds, b elsewhere.
+/// Returns a where the mask is true and b elsewhere.
 template <Scalar S>
 constexpr Vec3<S> select(const Mask<S>& mask, const Vec3<S>& a, const Vec3<S>& b) noexcept {
   return {select(mask, a.x(), b.x()), select(mask, a.y(), b.y()), select(mask, a.z(), b.z())};
@@ -169,7 +170,7 @@ constexpr Vec3d select(bool mask, const Vec3d& a, const Vec3d& b) noexcept {
   return mask ? a : b;
 }
 
-/// A constant of the model as a value of the kernel's scalar.
+/// Returns a constant of the model as a value of the kernel's scalar.
 template <Scalar S>
 constexpr Vec3<S> lift(const Vec3d& a) noexcept {
   return {S(a.x()), S(a.y()), S(a.z())};
@@ -179,7 +180,8 @@ constexpr Vec3d lift<double>(const Vec3d& a) noexcept {
   return a;
 }
 
-/// A vector of the kernel, component by component times a constant of the model: held axes have weight 0.
+/// Returns a vector of the kernel times a constant of the model, component by component: held axes have
+/// weight 0.
 template <Scalar S>
 constexpr Vec3<S> scaled(const Vec3d& weight, const Vec3<S>& a) noexcept {
   return hadamard(lift<S>(weight), a);

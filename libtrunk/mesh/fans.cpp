@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::size_t most_corners = 8;
 
-/// The triangles not yet taken, around their corners.
+/// The triangles that no fan has taken yet, by their corners.
 class Untaken {
  public:
   explicit Untaken(std::span<const Triangle> triangles) : taken_(triangles.size(), false) {
@@ -24,14 +24,14 @@ class Untaken {
 
   int particles() const { return static_cast<int>(around_.size()); }
 
-  /// Triangles around a centre one after the other, each beginning where the one before ends.
+  /// Triangles around a centre. Each begins where the one before ends.
   struct Fan {
     bool closed = false;
-    std::vector<int> rim;  // the corners in order; of an open fan one more than triangles
+    std::vector<int> rim;  // the corners in order; an open fan has one more of them than triangles
     std::vector<std::size_t> triangles;
   };
 
-  /// The first that is found around that centre, no longer than a polygon may be.
+  /// Returns the first fan that is found around a centre, no longer than a polygon may be.
   Fan fan_around(int centre) const {
     std::vector<Edge> edges;
     for (const Edge& e : around_[static_cast<std::size_t>(centre)])
@@ -83,7 +83,7 @@ std::vector<int> polygon(int centre, const Untaken::Fan& fan) {
 
 RingTable fans(std::span<const Triangle> triangles) {
   Untaken untaken(triangles);
-  using Entry = std::pair<std::size_t, int>;  // triangles around a centre when it was last looked at
+  using Entry = std::pair<std::size_t, int>;  // the number of triangles at its last count, centre
   std::priority_queue<Entry> longest;
   for (int i = 0; i < untaken.particles(); ++i) longest.emplace(untaken.fan_around(i).triangles.size(), i);
   std::vector<Surface::OneRing> polygons;

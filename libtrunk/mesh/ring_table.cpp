@@ -6,7 +6,7 @@
 namespace trunk {
 namespace {
 
-/// Adds a ring of a valence no smaller than the last one's.
+/// Adds a ring. Its valence is not smaller than that of the last ring.
 void append(int vertex, std::span<const Neighbour> neighbours, RingTable& table) {
   const int valence = static_cast<int>(neighbours.size());
   const int row = static_cast<int>(table.vertex.size());
@@ -21,7 +21,7 @@ bool same(Neighbour a, Neighbour b) {
   return a.particle() == b.particle();
 }
 
-/// Whether two rings are the same, wherever they begin.
+/// Returns whether two rings are the same. They may begin at different neighbours.
 bool same_round(std::span<const Neighbour> a, std::span<const Neighbour> b) {
   if (a.size() != b.size()) return false;
   const auto begins = std::find_if(a.begin(), a.end(), [&](Neighbour n) { return same(n, b.front()); });

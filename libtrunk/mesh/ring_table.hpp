@@ -11,8 +11,8 @@
 
 namespace trunk {
 
-/// A particle in a ring. Kept as four times its number, so that its 32 bytes in an array are found without a
-/// shift: an x86 address multiplies by 8 for free.
+/// A particle in a ring. It is kept as four times its number, so that its 32 bytes in an array are found
+/// without a shift: an x86 address multiplies by 8 for free.
 class Neighbour {
  public:
   constexpr explicit Neighbour(int particle) noexcept : quarters_(4 * particle) {}
@@ -31,38 +31,39 @@ class Neighbour {
   int quarters_;
 };
 
-/// The one-rings of a closed surface, flat in memory and sorted by valence, so that a loop over the
-/// neighbours knows its length at compile time (see for_each_ring).
+/// The one-rings of a closed surface, flat in memory and sorted by valence. A loop over the neighbours thus
+/// knows its length at compile time (see for_each_ring).
 struct RingTable {
   struct Group {
     int valence;
     int first, last;      // rings [first, last)
-    int first_neighbour;  // of ring `first`
+    int first_neighbour;  // the index in `neighbour` where ring `first` begins
   };
   std::vector<Group> groups;
-  std::vector<int> vertex;           // [rings] the particle in the middle
+  std::vector<int> vertex;           // [rings] the particle in the middle of each
   std::vector<Neighbour> neighbour;  // [sum of valences] counter-clockwise seen from outside
 
   std::size_t size() const noexcept { return vertex.size(); }
 };
 
+/// Returns the rings as a table.
 RingTable ring_table(std::span<const Surface::OneRing> rings);
 inline RingTable ring_table(const Surface& surface) {
   return ring_table(surface.one_rings());
 }
 
-/// The rings for which `wanted(vertex, neighbours)` holds, in the same order.
+/// Returns the rings for which `wanted(vertex, neighbours)` is true, in the same order.
 RingTable only_those(const RingTable& table,
                      const std::function<bool(int, std::span<const Neighbour>)>& wanted);
 
-/// Whether the mask holds for the vertex of a ring or one of its neighbours. mask: [particles].
+/// Returns whether the mask is true for the vertex of a ring or for one of its neighbours. mask: [particles].
 bool any_of_ring(const std::vector<bool>& mask, int vertex, std::span<const Neighbour> neighbours);
 
-/// Whether every ring of `some` is one of `all`, wherever it begins.
+/// Returns whether every ring of `some` is also in `all`. The two may begin at different neighbours.
 bool contains(const RingTable& all, const RingTable& some);
 
-/// Calls visit.template operator()<Valence>(group) for every group; the valence is a compile-time number
-/// where it is 4 to 8, the usual ones, and std::dynamic_extent elsewhere.
+/// Calls visit.template operator()<Valence>(group) for every group. Valences from 4 to 8, the usual ones, are
+/// compile-time numbers; for all others Valence is std::dynamic_extent.
 template <class Visit>
 void for_each_valence(const RingTable& table, Visit&& visit) noexcept {
   for (const RingTable::Group& group : table.groups) switch (group.valence) {
@@ -86,7 +87,7 @@ void for_each_valence(const RingTable& table, Visit&& visit) noexcept {
     }
 }
 
-/// The neighbours of a ring of a group.
+/// Returns the neighbours of a ring of a group.
 template <std::size_t Valence>
 std::span<const Neighbour, Valence> neighbours_of(const RingTable& table, const RingTable::Group& group,
                                                   int ring) noexcept {
@@ -96,7 +97,7 @@ std::span<const Neighbour, Valence> neighbours_of(const RingTable& table, const 
       table.neighbour.data() + static_cast<std::size_t>(group.first_neighbour) + rank * valence, valence);
 }
 
-/// The positions of a ring's neighbours, where they are.
+/// The positions of a ring's neighbours, read where they are stored.
 template <Scalar S, std::size_t Valence>
 struct RingPositions {
   std::span<const Neighbour, Valence> ring;

@@ -7,13 +7,13 @@
 
 namespace trunk {
 
-/// Corners of a triangle, as particle indices, counter-clockwise seen from outside.
+/// The corners of a triangle: particle indices, counter-clockwise seen from outside.
 using Triangle = std::array<int, 3>;
 
-/// A closed, oriented, manifold triangulated surface: connectivity alone, no positions.
+/// A closed, oriented, manifold triangulated surface. It has connectivity only, no positions.
 class Surface {
  public:
-  /// The neighbours of one vertex in counter-clockwise order seen from outside.
+  /// The neighbours of one vertex, counter-clockwise seen from outside.
   struct OneRing {
     int vertex;
     std::vector<int> neighbours;
@@ -21,14 +21,15 @@ class Surface {
 
   Surface() = default;
 
-  /// Throws InputError, naming `name` and the particle or edge, unless every index is in [0, particles),
-  /// every edge is shared by exactly two triangles that run along it in opposite directions, and the
-  /// triangles around each vertex form one closed fan.
+  /// Throws InputError, which names the surface and the particle or edge, unless
+  ///  - every index is in [0, particles),
+  ///  - every edge belongs to exactly two triangles, which run along it in opposite directions, and
+  ///  - the triangles around each vertex form one closed fan.
   Surface(std::string name, std::vector<Triangle> triangles, int particles);
 
   const std::string& name() const noexcept { return name_; }
   std::span<const Triangle> triangles() const noexcept { return triangles_; }
-  /// One entry a vertex of the surface, by increasing particle index.
+  /// Returns one entry for each vertex of the surface, by increasing particle index.
   std::span<const OneRing> one_rings() const noexcept { return one_rings_; }
 
  private:

@@ -7,11 +7,12 @@
 
 namespace trunk {
 
-/// Volume enclosed by a closed surface, m3: one sixth of the sum of the corner determinants, each by the
-/// edges from its first corner: those are short, and so is their round-off. positions: [particles], m.
+/// Returns the volume that a closed surface encloses, m3: one sixth of the sum of the corner determinants.
+/// Each determinant takes the edges from the triangle's first corner, which are short, so that round-off is
+/// small. positions: [particles], m.
 template <Scalar S>
 S enclosed_volume(std::span<const Triangle> triangles, std::span<const Vec3<S>> positions) noexcept {
-  Vec3<S> six_volumes;  // by component: added up once, at the end
+  Vec3<S> six_volumes;  // by component: the sum follows once, at the end
   for (const auto& [i, j, k] : triangles) {
     const auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>(j),
                c = static_cast<std::size_t>(k);
@@ -20,16 +21,16 @@ S enclosed_volume(std::span<const Triangle> triangles, std::span<const Vec3<S>> 
   return S(1.0 / 6.0) * (six_volumes.x() + six_volumes.y() + six_volumes.z());
 }
 
-/// What goes around a closed polygon of corners N.
+/// Two sums around a closed polygon of corners N.
 template <Scalar S>
 struct SumAndArea {
   Vec3<S> sum;         // of N_j
   Vec3<S> twice_area;  // sum of N_j x N_(j+1), m2: twice the area vector
 };
 
-/// Quadrilaterals fan out from the first corner, each the cross product of its diagonals: two products for
-/// six corners. Each corner is looked at once. corners: [3 or more] positions, m; their number may be a
-/// compile-time one.
+/// Returns both sums. Quadrilaterals fan out from the first corner, and each is the cross product of its
+/// diagonals: six corners need two products. Each corner is read once. corners: [3 or more] positions, m;
+/// their number may be known at compile time.
 template <Scalar S, class Corners>
 [[gnu::always_inline]] inline SumAndArea<S> sum_and_twice_area(const Corners& corners) noexcept {
   const std::size_t m = corners.size();
@@ -52,13 +53,14 @@ template <Scalar S, class Corners>
   return {sum, turned(area)};
 }
 
-/// The area alone.
+/// Returns the area sum only.
 template <Scalar S, class Corners>
 [[gnu::always_inline]] inline Vec3<S> twice_area(const Corners& corners) noexcept {
   return sum_and_twice_area<S>(corners).twice_area;
 }
 
-/// How `twice_area` changes as the corners move along `directions`: the sum of N_j x D_(j+1) + D_j x N_(j+1).
+/// Returns how `twice_area` changes as the corners move along `directions`: the sum of
+/// N_j x D_(j+1) + D_j x N_(j+1).
 template <Scalar S, class Corners, class Directions>
 [[gnu::always_inline]] inline Vec3<S> twice_area_change(const Corners& corners,
                                                         const Directions& directions) noexcept {
@@ -74,8 +76,9 @@ template <Scalar S, class Corners, class Directions>
   return turned(sum);
 }
 
-/// Twice the area vector of the ring around each vertex, m2: six times the gradient of the enclosed volume
-/// there. It does not depend on the vertex itself, since the volume is linear in each vertex.
+/// Calculates twice the area vector of the ring around each vertex, m2. This is six times the gradient of the
+/// enclosed volume with respect to the vertex. It does not depend on the position of the vertex itself, since
+/// the volume is linear in each vertex.
 /// (rings, positions [particles]) => twice_areas [particles]
 template <Scalar S>
 void calc_ring_areas(const RingTable& rings, std::span<const Vec3<S>> positions,

@@ -30,7 +30,7 @@ void require_carriable(const RigidBody& body, const Model& model) {
   }
 }
 
-/// Mass, centre and inertia: those of the particles.
+/// Sets the body's mass, centre and inertia to those of its particles.
 void derive_inertia(const Model& model, RigidBody& body) {
   const auto at = [&](int i) { return static_cast<std::size_t>(i); };
   Eigen::Vector3d moment = Eigen::Vector3d::Zero();

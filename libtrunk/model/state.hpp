@@ -7,29 +7,29 @@
 
 namespace trunk {
 
-/// Where a rigid body is: its centre, and how it is turned from rest.
+/// Where a rigid body is: its centre, and its rotation from rest.
 template <Scalar S>
 struct Pose {
   Vec3<S> centre;
   Rotation<S> rotation;
 };
 
-/// Where a body in that pose takes a point of its rest shape, m.
+/// Returns where a body in a pose takes a point of its rest shape, m.
 template <Scalar S>
 Vec3<S> placed(const RigidBody& body, const Pose<S>& pose, const Vec3d& rest) noexcept {
   return pose.centre + turn(pose.rotation, lift<S>(rest - body.centre));
 }
 
-/// What evolves.
+/// Everything that changes during a simulation.
 template <Scalar S>
 struct State {
   std::vector<Vec3<S>> position;  // [particles] m
-  std::vector<Vec3<S>> previous;  // [particles] m, a step earlier: it is how they move
+  std::vector<Vec3<S>> previous;  // [particles] m, one step earlier: this holds the velocities
   struct Contact {
     Mask<S> touching;
-    Mask<S> sticking;  // held by friction
-    S press{0.0};  // with friction: m, how far inside the surface put the particle back: dt^2 / (m + dt c)
-                   // times the force
+    Mask<S> sticking;  // friction holds it
+    /// With friction: how far the surface pushed the particle back in, m: dt^2 / (m + dt c) times the force.
+    S press{0.0};
   };
   std::vector<Contact> contact;  // [supports]
   S multiplier{0.0};             // of the volume constraint
@@ -42,13 +42,13 @@ struct State {
   double time_s = 0.0;
 };
 
-/// The mean velocity of a particle in the last step, of dt_s, m/s.
+/// Returns the mean velocity of a particle in the last step, which took dt_s, m/s.
 template <Scalar S>
 Vec3<S> velocity(const State<S>& state, std::size_t particle, double dt_s) noexcept {
   return S(1.0 / dt_s) * (state.position[particle] - state.previous[particle]);
 }
 
-/// At rest, at time 0.
+/// Returns the state at rest at time 0.
 template <Scalar S>
 State<S> rest_state(const Model& model) {
   State<S> state;

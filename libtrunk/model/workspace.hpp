@@ -8,15 +8,15 @@
 
 namespace trunk {
 
-/// Which velocity viscous damping acts on in a step (our choice).
-///  - implicit: the one at its end. Stable for any damping, of first order in dt: the motion is that of
-///  particles
-///    heavier by dt c / 2.
-///  - centred: the mean of those at its end and its start, which adds no mass. Calm where dt c < 2 m.
+/// The velocity on which viscous damping acts in a step (our choice).
+///  - implicit: the velocity at the end of the step. It is stable for any damping and of first order in dt:
+///    particles move as if they were heavier by dt c / 2.
+///  - centred: the mean of the velocities at the start and the end, which adds no mass. It is calm if dt c <
+///    2 m.
 enum class Damping { implicit, centred };
 
-/// What each ring does to the particle in its middle, what it asks of those around it, and twice its area
-/// vector: [particles] each, by the one in the middle (see RingForces).
+/// For each ring: its force on the particle in its middle, the parts of its reactions on the neighbours, and
+/// twice its area vector (see RingForces). Each field is [particles], by the particle in the middle.
 template <Scalar S>
 struct RingReactions {
   std::vector<Vec3<S>> on_particle, share, tilt, spin, area;
@@ -26,43 +26,43 @@ struct RingReactions {
   }
 };
 
-/// Scratch memory of one simulation, sized once: a step allocates nothing.
+/// The scratch memory of one simulation. Its sizes are set once, so that a step allocates nothing.
 template <Scalar S>
 struct Workspace {
   double dt_s = 0.0;
-  Mask<S> running = S(0.0) < S(1.0);  // where it no longer holds, the lane has ended and is not waited for
+  Mask<S> running = S(0.0) < S(1.0);  // false: the lane has ended, and the others do not wait for it
 
   // (model, parameters, dt) => constant during a run
-  bool elastic_volume = false;  // the held volume's surface is elastic: its rings' areas come with the forces
+  bool elastic_volume = false;             // the held surface is elastic: the forces give its rings' areas
   std::vector<S> ring_stiffness;           // [rings] N/m
   std::vector<HalfOpenRange> moving;       // particles that something can move
-  std::vector<HalfOpenRange> held_pushed;  // those around the held volume that forces can move
-  RingTable held_fans;                     // of the triangles around it that can move
-  double held_still = 0.0;                 // m3, what the others add to it
-  // What a step makes of how far a particle moved in the last one, of the force on it, s2/kg, and of a push
-  // by the constraints, 1/kg, along its free axes. With M = m + dt c and m' = m, or centred M = m + dt c / 2
-  // and m' = m - dt c / 2: m' / M, dt^2 / M and 1 / M.
+  std::vector<HalfOpenRange> held_pushed;  // particles around the held volume that forces can move
+  RingTable held_fans;                     // fans of the triangles around it that can move
+  double held_still = 0.0;                 // m3, the share of all other triangles in it
+  // Weights along the free axes of a particle: of its movement in the last step, m' / M; of the force on it,
+  // dt^2 / M in s2/kg; and of a push by the constraints, 1 / M in 1/kg. Implicit damping has M = m + dt c and
+  // m' = m, centred damping M = m + dt c / 2 and m' = m - dt c / 2.
   std::vector<Vec3<S>> retained, force_weight, push_weight;  // [particles]
 
   // scratch of one step
   std::vector<Vec3<S>> force;  // [particles] N
   RingReactions<S> reactions;
-  std::vector<Vec3<S>> next;       // [particles] m, as predicted, then put right by the constraints
+  std::vector<Vec3<S>> next;       // [particles] m, predicted, then corrected by the constraints
   std::vector<Vec3<S>> direction;  // [particles] m per unit of the volume's multiplier
 
-  /// The tangent plane of a support where its particle is, and what becomes of that particle as if the
-  /// support were absent: inside is where normal . (x - predicted) + excess <= 0; normal . push = 1.
+  /// The tangent plane of a support where its particle is, and the motion of that particle as if the support
+  /// were absent. Inside is where normal . (x - predicted) + excess <= 0; normal . push = 1.
   struct Plane {
     Vec3<S> normal, push;
     Vec3<S> carried;           // m, how far the surface itself moved there in this step
     Vec3<S> predicted;         // m
     Vec3<S> direction;         // m per unit of the volume's multiplier
-    S excess{0.0}, rate{0.0};  // how far outside predicted is, and grows a unit of the multiplier
+    S excess{0.0}, rate{0.0};  // how far outside `predicted` is, and its growth per unit of the multiplier
   };
   std::vector<Plane> plane;  // [supports]
 
   struct Body {
-    S inverse_effective_mass;  // as of particles, constant during a run
+    S inverse_effective_mass;  // as for particles; constant during a run
     S retained;                // momentum mass over effective mass
     Pose<S> pose;              // at the end of the step
     Vec3<S> angular_momentum;  // kg m2/s
@@ -72,7 +72,7 @@ struct Workspace {
   std::vector<Body> body;  // [bodies]
 };
 
-/// Sizes the workspace and derives what stays constant during a run. Allocates.
+/// Returns a workspace with all its sizes and with the values that stay constant during a run. It allocates.
 template <Scalar S>
 Workspace<S> make_workspace(const Model& model, const Parameters<S>& parameters, double dt_s,
                             Damping damping = Damping::implicit) {
@@ -102,7 +102,7 @@ Workspace<S> make_workspace(const Model& model, const Parameters<S>& parameters,
   }
   w.force.resize(model.particles());
   w.reactions.resize(model.particles());
-  for (const Vec3d& p : model.rest) w.next.push_back(lift<S>(p));  // where what is still stays
+  for (const Vec3d& p : model.rest) w.next.push_back(lift<S>(p));  // particles that never move stay there
   w.direction.resize(model.particles());
   w.moving = ranges(moving_particles(model));
   const std::vector<bool> pushed = pushed_particles(model);

@@ -18,11 +18,11 @@ constexpr double kept = 0.8;
 /// Corresponding points, [pairs] each.
 struct Matches {
   std::vector<Vec3d> of_trunk, measured;
-  std::vector<Vec3d> normal;     // of the trunk, turned: a measured surface is noisy; zero: all ways count
+  std::vector<Vec3d> normal;     // of the trunk, since a measured surface is noisy; zero: any direction
   std::vector<double> distance;  // m, as measured
 };
 
-/// One part of the trunk, one measured surface, points spread over each, and what is closest to them.
+/// One part of the trunk and its measured surface, with points spread over each and their closest points.
 class Corresponding {
  public:
   Corresponding(const SurfacePair& pair, std::size_t samples)
@@ -37,8 +37,8 @@ class Corresponding {
   const std::vector<Vec3d>& trunk_points() const { return trunk_points_; }
   const std::vector<Vec3d>& measured_points() const { return measured_points_; }
 
-  /// inside: what lies beyond the border of an open surface has no counterpart and is left out, which takes a
-  /// start that is near.
+  /// Adds the pairs of closest points. With `inside`, points beyond the border of an open surface are left
+  /// out, since they have no counterpart; the start has to be near for this. => matches
   void add_matches(const Similarity& at, bool inside, Matches& matches) const {
     Matches to_measured, to_trunk;
     std::vector<Vec3d> placed, taken_back;
@@ -100,7 +100,7 @@ double spread(std::span<const Vec3d> points, const Vec3d& centre) {
   return std::sqrt(sum / static_cast<double>(points.size()));
 }
 
-/// The same centre and the same spread, turned.
+/// Returns the similarity that gives the rotated trunk the centre and the spread of the measured points.
 Similarity start_from(std::span<const Corresponding> sides, const Rotation<double>& rotation) {
   std::vector<Vec3d> trunk, measured;
   for (const Corresponding& side : sides) {
@@ -113,9 +113,9 @@ Similarity start_from(std::span<const Corresponding> sides, const Rotation<doubl
   return start;
 }
 
-/// The similarity after this one that brings the matches together: as points, or with surfaces free to slide
-/// along each other, which arrives in far fewer iterations once it is near (Chen and Medioni 1992), by one
-/// Gauss-Newton step in turn, shift and scale.
+/// Returns the similarity after one Gauss-Newton step in rotation, shift and scale that brings the matches
+/// together. Surfaces are free to slide along each other, which takes far fewer iterations near the end (Chen
+/// and Medioni 1992).
 Similarity sliding(const Similarity& at, const Matches& matches) {
   using Row = Eigen::Matrix<double, 7, 1>;
   Vec3d centre;
@@ -153,7 +153,7 @@ Alignment iterate(std::span<const Corresponding> surfaces, std::span<const Named
     double squares = 0.0;
     for (const double d : matches.distance) squares += d * d;
     at.rms = std::sqrt(squares / static_cast<double>(matches.distance.size()));
-    // Landmarks together weigh a fifth of the surfaces.
+    // All landmarks together have a fifth of the weight of the surfaces.
     const auto copies =
         landmarks.empty()
             ? 0

@@ -5,28 +5,31 @@
 
 namespace trunk {
 
-/// A part of a trunk and the measured surface it is to lie on.
+/// A part of a trunk, and the measured surface on which it should lie.
 struct SurfacePair {
   std::span<const Vec3d> particles;     // m, of the trunk
   std::span<const Triangle> triangles;  // of the part
   const MeasuredSurface* target;
 };
 
+/// A landmark in both.
 struct NamedPoint {
   Vec3d of_trunk, measured;  // m
 };
 
+/// The result of `align`.
 struct Alignment {
   Similarity similarity;  // takes the trunk to the measured surfaces
-  double rms = 0.0;       // m, over the pairs that were kept
+  double rms = 0.0;       // m, over the pairs that count
   int iterations = 0;
 };
 
-/// Turns, scales and shifts a trunk onto measured surfaces: closest points in both directions, the farthest
-/// fifth of each left out for what only one of them has (trimmed iterated closest points; Chetverikov 2002,
-/// both directions so that the scale is not drawn to 0). It starts from the trunk upright as the axes say,
-/// and turned by 25 degrees each way about each axis and their combinations, and keeps the best (our choice:
-/// reaches turns of 30 degrees and more). The same on every call.
+/// Returns the similarity that turns, scales and shifts a trunk onto measured surfaces; it is the same on
+/// every call. The method is trimmed iterated closest points (Chetverikov 2002): the farthest fifth of the
+/// pairs is left out, for what only one of the surfaces has. Closest points count in both directions, so that
+/// the scale does not shrink to 0. The search starts from the trunk upright, as the axes say, and from turns
+/// by 25 degrees each way about each axis and their combinations. The best result counts (our choice: this
+/// reaches turns of 30 degrees and more).
 Alignment align(std::span<const SurfacePair> pairs, std::span<const NamedPoint> landmarks);
 
 }  // namespace trunk

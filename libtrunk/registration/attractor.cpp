@@ -38,7 +38,7 @@ Attractor::Attractor(const Attraction& attraction, std::span<const Vec3d> rest)
 
 void Attractor::add_to(std::vector<LinearActuator>& actuators, std::span<const Vec3d> position,
                        double stiffness, double reach) const {
-  // A wall that only draws or is only drawn, as the skin, does not hold the trunk if that slides along it.
+  // A surface with one direction only, such as the skin, would not hold a trunk that slides along it.
   const double sticking = attraction_.direction == Attraction::Direction::both ? 0.01 : 1.0;
   const auto& part = attraction_.part;
   std::vector<Vec3d> of_part;

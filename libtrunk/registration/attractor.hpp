@@ -6,12 +6,12 @@
 
 namespace trunk {
 
-/// A measured surface that draws a part of the trunk.
+/// A measured surface that attracts a part of the trunk.
 struct Attraction {
-  /// Which of the two has its place on the other: points of the part are drawn to the target, points of the
-  /// target draw the part, or both.
+  /// Whose points are paired with the closest points of the other: those of the part, those of the target, or
+  /// both.
   enum class Direction { both, part_to_target, target_to_part };
-  /// Pairs count only where their surfaces face alike, or against each other.
+  /// Which pairs count: all, those whose surfaces face the same way, or those that face each other.
   enum class Facing { any, alike, opposed };
 
   const MeasuredSurface* target;
@@ -19,22 +19,23 @@ struct Attraction {
   Direction direction = Direction::both;
   Facing facing = Facing::any;
 
-  /// Of two unit normals: within 60 degrees of what is wanted.
+  /// Returns whether two unit normals are within 60 degrees of the wanted facing.
   bool faces(const Vec3d& of_part, const Vec3d& of_target) const;
 };
 
-/// The linear actuators of one target and its part of the trunk. They draw along the trunk's own normal, and
-/// the trunk slides across it nearly free: closest points tell how far a surface is off, not where along it a
-/// point belongs. Where the data end nothing is drawn.
+/// The linear actuators between one target and its part of the trunk. They act along the trunk's own normal,
+/// and the trunk slides across it almost freely: closest points show how far a surface is off, but not where
+/// along the surface a point belongs. Beyond the end of the data there are no actuators.
 class Attractor {
  public:
-  /// rest: [particles] m. The attraction outlives it.
+  /// rest: [particles] m. The attraction has to outlive the attractor.
   Attractor(const Attraction& attraction, std::span<const Vec3d> rest);
 
   double area() const { return area_; }  ///< m2, of the part at rest
 
-  /// `stiffness` is that of all together, N/m. A pair as far apart as `reach`, m, counts a quarter (weight of
-  /// Geman and McClure): outliers. => actuators
+  /// Adds the actuators for a position, [particles] m. `stiffness` is the sum over all of them, N/m. Far
+  /// pairs are outliers: a pair at the distance `reach`, m, counts a quarter (weight of Geman and McClure).
+  /// => actuators
   void add_to(std::vector<LinearActuator>& actuators, std::span<const Vec3d> position, double stiffness,
               double reach) const;
 

@@ -12,18 +12,19 @@
 namespace trunk {
 namespace {
 
-// Stiffness of all that draws toward one target, in units of k_elasticity: only ratios count here.
+// The stiffness of all actuators of one target, in units of k_elasticity: only ratios count here.
 constexpr double first_attraction = 100.0, last_attraction = 5e3;
 constexpr double within_surface = 5.0, of_lung = 0.1;
 constexpr int stiffening = 30, settling = 20;
-constexpr double first_reach = 0.060, last_reach = 0.020;  // m, where a pair counts a quarter: outliers
+constexpr double first_reach = 0.060, last_reach = 0.020;  // m, the distance at which a pair counts a quarter
 
-/// From the first to the last value in equal ratios.
+/// Returns a value that goes from the first to the last in equal ratios.
 double stiffened(double first, double last, int iteration) {
   return first * std::pow(last / first, std::min(1.0, static_cast<double>(iteration) / stiffening));
 }
 
-/// The trunk's surfaces: first as they resist any change, then as they resist those within.
+/// The elasticity of the trunk's surfaces: two memories that resist any change, and two that resist changes
+/// within the surface.
 class Elasticity {
  public:
   explicit Elasticity(const TrunkMesh& mesh) {
@@ -41,7 +42,7 @@ class Elasticity {
     return balance_.relaxed(position, actuators, steps);
   }
 
-  /// Makes it stiffer within the surface around these particles.
+  /// Makes the surfaces stiffer against changes within them, around these particles.
   void stiffen_within(const std::set<int>& particles) {
     constexpr double factor = 2.0;
     for (const std::size_t memory : within) balance_.stiffen(memory, particles, factor);
@@ -67,7 +68,7 @@ std::vector<Vec3d> between(std::span<const Vec3d> from, std::span<const Vec3d> t
   return position;
 }
 
-/// How much of the way no triangle folds or becomes too thin: 1, 1/2, 1/4, 1/8 or none.
+/// Returns the share of the way on which no triangle folds or becomes too thin: 1, 1/2, 1/4, 1/8 or 0.
 double sound_share(const TrunkMesh& placed, std::span<const Vec3d> from, std::span<const Vec3d> to) {
   constexpr double least = 0.1;
   for (double share = 1.0; share > least; share *= 0.5)
@@ -85,7 +86,7 @@ double farthest(std::span<const Vec3d> from, std::span<const Vec3d> to) {
 
 Matching match(const TrunkMesh& placed, const MatchingGoals& goals,
                const std::function<void(int iteration, int of)>& progress) {
-  constexpr double strip = 0.03;  // m of diaphragm that a line counts as
+  constexpr double strip = 0.03;  // m, the width of diaphragm for which a line counts
   constexpr double thin = 2.0 * rad_per_degree;
   constexpr int iterations = stiffening + settling;
   Elasticity elasticity(placed);

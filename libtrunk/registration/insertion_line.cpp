@@ -13,13 +13,13 @@ namespace trunk {
 namespace {
 
 constexpr std::size_t sector_count = 72, widest_bridge = 9;
-constexpr double gap = 4.0;  // times the scatter: no longer on the curve
+constexpr double gap = 4.0;  // times the scatter: points farther off are not on the curve
 constexpr Eigen::Index coefficients = 6;
 
 using Row = Eigen::Matrix<double, coefficients, 1>;
 
-/// A plane, a sag at both sides, and two rises in front, a wide and a narrow one: what the ribs' margin does
-/// and a gap elsewhere does not.
+/// Returns the basis of the curve: a plane, a sag at both sides, and a wide and a narrow rise in front. The
+/// margin of the ribs has these; a gap in another place has not.
 Row basis_at(double turns, bool rising) {
   const double angle = 2.0 * std::numbers::pi * turns, front = rising ? 0.5 * (1.0 + std::sin(angle)) : 0.0;
   Row row;
@@ -28,7 +28,7 @@ Row basis_at(double turns, bool rising) {
   return row;
 }
 
-/// A lowest point by its angle.
+/// A lowest point and its angle.
 struct Low {
   double turns, height;  // 0 to 1; m
 };
@@ -50,8 +50,8 @@ double sum(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0);
 }
 
-/// Least squares with Tukey's weights, whose reach shrinks to four times the scatter. A gap in the data only
-/// raises their lowest points: what lies below the curve keeps its weight.
+/// Returns the curve by least squares with Tukey's weights, whose reach shrinks to four times the scatter.
+/// Points below the curve keep their weight, since a gap in the data can only raise the lowest points.
 Curve fitted_curve(const std::vector<Low>& points, std::vector<double> weight, bool rising) {
   constexpr int rounds = 40;
   constexpr double least_scatter = 4e-3, most_scatter = 8e-3, widest_reach = 0.06, shrink = 0.9,
@@ -84,8 +84,9 @@ Curve fitted_curve(const std::vector<Low>& points, std::vector<double> weight, b
   return curve;
 }
 
-/// First without a rise, from the lower half of the points; then with one, from what lies on that curve and
-/// what is in front. The second holds where its rise is possible and takes in more.
+/// Returns the curve of the margin. The first fit has no rise and begins with the lower half of the points.
+/// The second has a rise and begins with the points on the first curve and all points in front. The second
+/// one counts if its rise is possible and more points lie on it.
 Curve margin_of(const std::vector<Low>& points, double highest_rise) {
   std::vector<double> heights, weight;
   for (const Low& p : points) heights.push_back(p.height);
@@ -132,7 +133,7 @@ std::optional<std::size_t> InsertionLine::measured_within_gap(std::size_t sector
   return std::nullopt;
 }
 
-std::optional<InsertionLine::Place> InsertionLine::beside(const Vec3d& particle) const {
+std::optional<InsertionLine::LinePoint> InsertionLine::beside(const Vec3d& particle) const {
   const double at = turns(particle) * sector_count - 0.5 + sector_count;
   const auto below = static_cast<std::size_t>(at);
   const auto back = measured_within_gap(below, false), ahead = measured_within_gap(below + 1, true);
@@ -143,7 +144,7 @@ std::optional<InsertionLine::Place> InsertionLine::beside(const Vec3d& particle)
                        static_cast<double>(*back + 1 + *ahead);
   const Vec3d way = b - a, up{0.0, 0.0, 1.0};
   const Vec3d upward = dot(way, way) * up - way.z() * way, outward = cross(way, upward);
-  return Place{a + share * way, (1.0 / norm(upward)) * upward, (1.0 / norm(outward)) * outward};
+  return LinePoint{a + share * way, (1.0 / norm(upward)) * upward, (1.0 / norm(outward)) * outward};
 }
 
 double InsertionLine::height_beside(const Vec3d& particle) const {

@@ -5,7 +5,7 @@
 namespace trunk {
 namespace {
 
-/// Half of the ring on both sides of a particle of the costal insertion, m.
+/// Returns the length of the ring that belongs to a particle of the costal insertion: half of both sides, m.
 double ring_share(const TrunkMesh& mesh, std::size_t line) {
   const auto& lines = mesh.muscle_lines;
   const auto at = [&](std::size_t k) {
@@ -18,7 +18,8 @@ LinearActuator on_particle(int particle, const Vec3d& target, double stiffness) 
   return {{particle, particle, particle}, {1.0, 0.0, 0.0}, target, stiffness};
 }
 
-/// The point at an arc length from the beginning of a polyline; beyond its end straight on.
+/// Returns the point at an arc length from the beginning of a polyline, which goes straight on beyond its
+/// end.
 Vec3d along(std::span<const Vec3d> polyline, double length) {
   std::size_t k = 0;
   for (; k + 2 < polyline.size(); ++k) {

@@ -14,7 +14,7 @@ using Triplets = std::vector<Eigen::Triplet<double>>;
 using Corners = std::array<int, 3>;
 using CornerStiffness = Eigen::Matrix<double, 9, 9>;  // x, y, z of each corner
 
-/// Of all actuators on the same particles, summed.
+/// Returns the summed stiffness of all actuators on the same particles.
 std::map<Corners, CornerStiffness> stiffness_by_corners(std::span<const LinearActuator> actuators) {
   std::map<Corners, CornerStiffness> sums;
   for (const LinearActuator& a : actuators) {
@@ -31,7 +31,8 @@ std::map<Corners, CornerStiffness> stiffness_by_corners(std::span<const LinearAc
   return sums;
 }
 
-/// Row and column 3 particle + x, y or z; the lower triangle is enough. => triplets
+/// Adds the stiffness of the actuators. Row and column are 3 particle + 0, 1 or 2 for x, y and z; the lower
+/// triangle is enough. => triplets
 void add_stiffness(std::span<const LinearActuator> actuators, Triplets& triplets) {
   for (const auto& [corners, sum] : stiffness_by_corners(actuators))
     for (Eigen::Index row = 0; row < 9; ++row)
@@ -44,8 +45,8 @@ void add_stiffness(std::span<const LinearActuator> actuators, Triplets& triplets
       }
 }
 
-/// Of shape memory while its local frames stand still: each particle is drawn by what it is off the mean of
-/// its neighbours.
+/// Adds the stiffness of shape memory with local frames that do not move: the force on each particle follows
+/// its distance from the mean of its neighbours. => triplets
 void add_stiffness(const ShapeMemory& memory, Triplets& triplets) {
   std::vector<int> particles;
   std::vector<double> weights;
@@ -65,7 +66,7 @@ void add_stiffness(const ShapeMemory& memory, Triplets& triplets) {
   });
 }
 
-/// Solves stiffness * movement = force. [particles] m
+/// Returns the solution of stiffness * movement = force, [particles] m.
 std::vector<Vec3d> movement(const Eigen::SimplicialLDLT<Matrix>& stiffness, std::span<const Vec3d> force) {
   Eigen::Matrix3Xd right(3, static_cast<Eigen::Index>(force.size()));
   for (std::size_t i = 0; i < force.size(); ++i)

@@ -7,20 +7,21 @@
 
 namespace trunk {
 
-/// How well formed the triangles of a trunk's two closed surfaces are.
+/// The quality of the triangles of a trunk's two closed surfaces.
 struct MeshQuality {
   double smallest_angle = 0.0;  // rad, of any triangle
-  int folded = 0;               // triangles turned by 90 degrees and more from where they faced
+  int folded = 0;               // triangles that turned by 90 degrees or more
 
-  /// None folded, none so thin that its plane is round-off or its time step tiny: 0.5 degrees (our choice).
+  /// Returns true if no triangle is folded and all angles are above 0.5 degrees (our choice). In thinner
+  /// triangles the plane is round-off, and the time step is tiny.
   bool sound() const noexcept;
 };
 
-/// At `position`, [particles], against the mesh's own, which has to stand in the same directions.
+/// Returns the quality at `position`: [particles] m. `before` is the mesh in the same directions.
 MeshQuality mesh_quality(const TrunkMesh& before, std::span<const Vec3d> position);
 
-/// Corners of triangles that are folded, or have become thinner from one position to the next and now have an
-/// angle smaller than `thin`, rad.
+/// Returns the corners of triangles that are folded, and of those that became thinner from one position to
+/// the next and now have an angle below `thin`, rad.
 std::set<int> particles_of_thinned_triangles(const TrunkMesh& before, std::span<const Vec3d> from,
                                              std::span<const Vec3d> to, double thin);
 

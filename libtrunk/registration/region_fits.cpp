@@ -10,9 +10,9 @@ namespace {
 
 constexpr std::size_t points_on_each = 20000;  // evenly over the area
 
-/// What was measured at one point of the part.
+/// The distance at one point.
 struct Measured {
-  int particle;  // the nearest corner
+  int particle;  // the nearest corner of the part
   double distance;
   bool with_data;
 };

@@ -20,7 +20,7 @@ std::size_t index(int i) {
   return static_cast<std::size_t>(i);
 }
 
-/// Both lungs as one surface.
+/// Returns both lungs as one surface.
 MeasuredSurface joined(const std::vector<MeasuredSurface>& surfaces) {
   MeasuredSurface all{"lungs", {}, {}};
   for (const MeasuredSurface& s : surfaces) {
@@ -32,7 +32,7 @@ MeasuredSurface joined(const std::vector<MeasuredSurface>& surfaces) {
   return all;
 }
 
-/// A measured surface, the part of the trunk it shows, and how it draws it.
+/// A measured surface, the part of the trunk that it shows, and how it attracts that part.
 struct Shown {
   MeasuredSurface surface;
   std::vector<Triangle> part;
@@ -61,7 +61,7 @@ std::vector<Shown> shown_by(const TrunkMesh& trunk, const SubjectMeasurements& t
   return shown;
 }
 
-/// The particles of a landmark as an actuator draws them, by equal weights.
+/// Returns an actuator that pulls the particles of a landmark, with equal weights.
 LinearActuator landmark_actuator(const TrunkMesh& trunk, const std::string& name, const Vec3d& place) {
   constexpr double as_of_a_surface = 0.02;
   const std::vector<int>& particles = trunk.named(name);
@@ -80,8 +80,8 @@ LinearActuator landmark_actuator(const TrunkMesh& trunk, const std::string& name
   return actuator;
 }
 
-/// The trunk's part for aligning with a surface. The skin and the ribs show less of where the trunk is than
-/// what lies inside; they align it where there is nothing else.
+/// Returns the parts and surfaces for the alignment. Diaphragm and lungs show the place of the trunk better
+/// than skin and ribs, which are used only if there is nothing else.
 std::vector<SurfacePair> aligning_pairs(const TrunkMesh& trunk, const std::vector<Triangle>& outside,
                                         const std::vector<Shown>& shown) {
   std::vector<SurfacePair> pairs;
@@ -123,8 +123,8 @@ double mean_height(const TrunkMesh& mesh, const std::vector<int>& particles) {
   return sum / static_cast<double>(particles.size());
 }
 
-/// Raises the lung's wall until the lung has its volume, which is linear in that: each particle as far as it
-/// stood, in `before`, above the top of the zone of apposition.
+/// Raises the lung's wall until the lung has its volume, which is linear in the rise. Each particle rises in
+/// proportion to its height in `before` above the top of the zone of apposition.
 void size_lung(double wanted, const TrunkMesh& before, TrunkMesh& mesh) {
   const double base = mean_height(before, before.named("apposition_top"));
   const auto raised = [&](double share) {
@@ -154,7 +154,7 @@ double mean_apposition_length(const TrunkMesh& mesh) {
   return sum / static_cast<double>(mesh.muscle_lines.size());
 }
 
-/// The line of the costal insertion on a measured diaphragm, where that is to be looked for and shown.
+/// Returns the line of the costal insertion on a measured diaphragm; nothing if its lower border is a cut.
 std::optional<InsertionLine> insertion_on(const MeasuredSurface& diaphragm, const TrunkMesh& placed,
                                           LowerBorder border) {
   if (border == LowerBorder::cut) return std::nullopt;
@@ -177,7 +177,7 @@ std::optional<InsertionLine> insertion_on(const MeasuredSurface& diaphragm, cons
   return line;
 }
 
-/// The trunk upright, in its own directions and at the subject's size, and the subject with it.
+/// The trunk and the subject in the trunk's own directions, at the subject's size.
 struct Placed {
   TrunkMesh mesh;
   std::vector<Shown> shown;
@@ -231,8 +231,8 @@ Registration register_trunk(const TrunkMesh& trunk, const SubjectMeasurements& t
     goals.insertion = &*placed.insertion;
     result.insertion_covered = placed.insertion->covered();
     fit_insertion(*placed.insertion, result.mesh);
-    // A diaphragm does not show where its zone of apposition ends above: unless told, the template's
-    // proportion.
+    // A diaphragm does not show where its zone of apposition ends above. Unless the length is given, the
+    // template's proportion is a weak goal.
     if (!goals.apposition_length) {
       goals.apposition_length = mean_apposition_length(result.mesh);
       goals.apposition_weight = guessed_weight;

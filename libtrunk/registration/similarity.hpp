@@ -7,7 +7,7 @@
 
 namespace trunk {
 
-/// Turned, scaled, then shifted: x -> scale turn(rotation, x) + shift.
+/// A rotation and a scale, then a shift: x -> scale turn(rotation, x) + shift.
 struct Similarity {
   double scale = 1.0;
   Rotation<double> rotation;
@@ -18,8 +18,8 @@ struct Similarity {
   double angle() const noexcept;  // rad, 0 to pi
 };
 
-/// The similarity that takes `from` to `to` in the least squares (Umeyama 1991). [n] each, n >= 3 and not on
-/// a line.
+/// Returns the similarity that takes `from` to `to` with the least squares (Umeyama 1991). from, to: [3 or
+/// more], not on a line.
 Similarity fitted_similarity(std::span<const Vec3d> from, std::span<const Vec3d> to);
 
 }  // namespace trunk

@@ -7,7 +7,7 @@
 namespace trunk {
 namespace {
 
-/// Edges of one triangle only: those that do not come twice among all, sorted.
+/// Returns the edges of one triangle only, sorted.
 std::set<std::pair<int, int>> border_edges(std::span<const Triangle> triangles) {
   std::vector<std::pair<int, int>> all;
   for (const Triangle& t : triangles)

@@ -7,24 +7,26 @@
 
 namespace trunk {
 
-/// A measured surface that is asked for closest points, and knows where it ends.
+/// A measured surface onto which a trunk is registered. It finds closest points and the ends of the data.
 class TargetSurface {
  public:
-  /// The surface outlives it. Throws InputError as ClosestPoints does.
+  /// The surface has to outlive the target. Throws InputError if there is no triangle or if an index is not
+  /// that of a point.
   explicit TargetSurface(const MeasuredSurface& surface);
 
   std::vector<ClosestPoints::Hit> closest(std::span<const Vec3d> points) const { return closest_(points); }
   ClosestPoints::Hit closest(const Vec3d& p) const { return closest_(p); }
 
-  /// Whether the point lies on the border of an open surface: what is closest to it may have no counterpart.
+  /// Returns whether a closest point lies on the border of an open surface. A point beyond the border may
+  /// have no counterpart.
   bool on_border(const ClosestPoints::Hit& hit) const;
 
-  /// Whether the data end before `from`, a point of a surface that faces along `normal` and whose closest
-  /// point this is: it is on the border, or in a triangle of a jagged border, whose spikes reach beyond it,
-  /// and lies farther along the surface than over it (our choice).
+  /// Returns whether the data end before `from`, a point of a surface that faces along `normal` (our choice).
+  /// They do if its closest point, `hit`, is on the border. They also do if `hit` is in a triangle at a
+  /// jagged border and `from` lies farther along the surface than over it.
   bool ends_before(const Vec3d& from, const Vec3d& normal, const ClosestPoints::Hit& hit) const;
 
-  /// Of unit length; zero where the triangle has no area.
+  /// Returns the unit normal at a closest point; zero if the triangle has no area.
   Vec3d normal(const ClosestPoints::Hit& hit) const;
 
   bool closed() const noexcept { return edges_.empty(); }
@@ -36,8 +38,8 @@ class TargetSurface {
 
   const MeasuredSurface* surface_;
   ClosestPoints closest_;
-  std::set<std::pair<int, int>> edges_;  // of one triangle only, sorted
-  std::vector<bool> at_border_;          // [points] an end of those
+  std::set<std::pair<int, int>> edges_;  // edges of one triangle only, sorted
+  std::vector<bool> at_border_;          // [points] whether an end of such an edge
 };
 
 }  // namespace trunk

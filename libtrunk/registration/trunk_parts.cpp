@@ -6,7 +6,7 @@
 namespace trunk {
 namespace {
 
-/// The triangles all of whose corners are in one of the regions.
+/// Returns the triangles with every corner in one of the regions.
 std::vector<Triangle> between(const TrunkMesh& mesh, const std::vector<Triangle>& triangles,
                               std::initializer_list<const char*> regions) {
   std::set<int> particles;
@@ -40,7 +40,8 @@ std::vector<Triangle> abdominal_wall_of(const TrunkMesh& mesh) {
 
 std::vector<Triangle> rib_side_of(const TrunkMesh& mesh) {
   std::vector<Triangle> side = between(mesh, mesh.abdomen, {"costal_insertion", "zone_of_apposition"});
-  // Seen from the lung the dome faces down; the wall alone has corners of its own.
+  // The lung has the dome, too, which faces down there: triangles of the wall have a corner that the dome has
+  // not.
   std::set<int> wall(mesh.named("lung_wall").begin(), mesh.named("lung_wall").end());
   wall.insert(mesh.named("lung_top").begin(), mesh.named("lung_top").end());
   for (const Triangle& t : mesh.lung)

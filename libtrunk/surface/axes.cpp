@@ -27,7 +27,7 @@ constexpr std::string_view trunk_letters = "RAS", opposite_letters = "LPI";
       "grow (LPS), or the coordinates of the file that are right, forward and up (x,-z,y)");
 }
 
-/// Points on edges of one triangle only.
+/// The middles of the edges that belong to one triangle only.
 std::vector<Vec3d> border_points(const MeasuredSurface& s) {
   std::map<std::pair<int, int>, int> edges;
   for (const Triangle& t : s.triangles)
@@ -55,7 +55,8 @@ Extent extent_of(const std::vector<Vec3d>& points) {
   return extent;
 }
 
-/// Net area along each axis, and how much of the area cancels: 1 where the surface is a height field.
+/// Returns the net area along each axis, and its share of all area: 1 if the surface is a height field over
+/// that axis.
 std::pair<Numbers, Numbers> net_areas(const MeasuredSurface& s) {
   Numbers net{}, all{}, share{};
   for (const Triangle& t : s.triangles) {
@@ -70,7 +71,8 @@ std::pair<Numbers, Numbers> net_areas(const MeasuredSurface& s) {
   return {net, share};
 }
 
-/// Mean height of the border in the outer fifth at the high end of an axis, less that at its low end.
+/// Returns the mean height of the border in the outer fifth at the high end of an axis, minus that at its low
+/// end.
 double border_rise(const std::vector<Vec3d>& border, std::size_t along, std::size_t vertical, double up) {
   const Extent extent = extent_of(border);
   double sum[2] = {}, count[2] = {};

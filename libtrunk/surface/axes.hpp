@@ -9,21 +9,23 @@
 
 namespace trunk {
 
-/// How the axes of a file lie in the trunk, whose own are x right, y forward, z up (RAS).
+/// How the axes of a file lie in the trunk. The trunk's own axes are x right, y forward, z up (RAS).
 class Axes {
  public:
-  /// RAS: as the trunk's.
+  /// The axes of the trunk (RAS).
   Axes() = default;
 
-  /// Three letters, one of R/L, A/P and S/I each: the side of the subject to which x, y and z of the file
-  /// grow, in any order ("LPS": x to the left, y backward, z up). Or three coordinates of the file that are
-  /// the trunk's right, forward and up: "x,-z,y". Case does not matter. Throws InputError.
+  /// Reads three letters, one of R/L, A/P and S/I each, in any order. They say to which side of the subject
+  /// x, y and z of the file grow ("LPS": x to the left, y backward, z up). Or reads the three coordinates of
+  /// the file that are the trunk's right, forward and up ("x,-z,y"). Case does not matter. Throws InputError
+  /// for any other text.
   explicit Axes(std::string_view text);
 
+  /// Returns a point of the file in the axes of the trunk.
   Vec3d operator()(const Vec3d& of_file) const;
-  /// True where right-handed coordinates become left-handed: the surface is mirrored.
+  /// Returns true if the axes are left-handed, so that they mirror the surface.
   bool mirrors() const;
-  /// As letters: "LPS".
+  /// Returns the axes as letters ("LPS").
   std::string letters() const;
 
  private:
@@ -31,17 +33,17 @@ class Axes {
   std::array<double, 3> sign_{1.0, 1.0, 1.0};
 };
 
-/// Axes guessed from the shape of an open dome, and how.
+/// Axes guessed from the shape of an open dome, and the reasons.
 struct GuessedAxes {
   Axes axes;
   std::string reasons;       // for a note
-  bool front_known = false;  // else front and back, and with them left and right, were taken as they come
+  bool front_known = false;  // false: front and back, and so left and right, are arbitrary
 };
 
-/// What the shape of a diaphragm tells, in axes of the file: up is where its dome points, lateral where it is
-/// wider, and its border is higher in front than at the back; left and right, which a symmetric surface
-/// cannot tell, follow from that and from right-handed axes. Expects an oriented surface that faces away from
-/// its middle. Nothing for a surface that is no open dome.
+/// Returns the axes that the shape of a diaphragm shows; nothing for a surface that is not an open dome. The
+/// dome points up, it is widest from side to side, and its border is higher in front than at the back. A
+/// symmetric surface does not show left and right: both follow from front and up and from right-handed axes.
+/// The surface has to be oriented and to face away from its middle.
 std::optional<GuessedAxes> guess_axes(const MeasuredSurface& dome);
 
 }  // namespace trunk

@@ -27,7 +27,7 @@ Box box_of(const Corners& corners) {
   return box;
 }
 
-/// The closest of the candidates seen so far; `distance` is squared here.
+/// The closest of the candidates so far. `distance` is squared here.
 struct Closest {
   const Vec3d& p;
   const Corners& corners;
@@ -40,8 +40,8 @@ struct Closest {
   }
 };
 
-/// The closest of the three edges and, where the point lies over the inside, of the plane: edges are asked
-/// even then, since the plane of a sliver is mostly round-off.
+/// Returns the closest point of the three edges and, if the point lies over the inside, of the plane. The
+/// edges count even then, since the plane of a sliver is mostly round-off.
 ClosestPoints::Hit closest_on(const Corners& corners, const Vec3d& p) {
   Closest closest{p, corners};
   for (std::size_t i = 0; i < 3; ++i) {
@@ -65,7 +65,7 @@ ClosestPoints::Hit closest_on(const Corners& corners, const Vec3d& p) {
 
 using Boxes = Eigen::KdBVH<double, 3, int>;
 
-/// Goes down the tree, first where it is nearer, and leaves out boxes farther than what was found.
+/// Goes down the tree, the nearer box first, and skips boxes that are farther than the closest point so far.
 struct Search {
   const Boxes& boxes;
   const std::vector<Corners>& triangles;

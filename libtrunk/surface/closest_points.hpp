@@ -10,27 +10,30 @@
 
 namespace trunk {
 
-/// The closest point of a triangulated surface, by a tree of boxes (Eigen's KdBVH): n log n to build, about
-/// log n a query. Triangles may be degenerate, edges open. Safe to query from several threads.
+/// Finds the closest point of a triangulated surface with a tree of boxes (Eigen's KdBVH). It takes n log n
+/// to build and about log n for a query. Triangles may be degenerate and edges open. Several threads may
+/// query it.
 class ClosestPoints {
  public:
   struct Hit {
     Vec3d point;
-    int triangle;                  // its index
-    std::array<double, 3> weight;  // of the triangle's corners, barycentric; exactly 0 off an edge or corner
+    int triangle;                  // index of the triangle
+    std::array<double, 3> weight;  // barycentric, of the corners; exactly 0 for a corner that does not count
     double distance;               // >= 0, in the unit of the points
   };
 
-  /// Copies what it needs. Throws InputError without a triangle, or where an index is no point.
+  /// Copies what it needs. Throws InputError if there is no triangle or if an index is not that of a point.
   ClosestPoints(std::span<const Vec3d> points, std::span<const Triangle> triangles);
   ~ClosestPoints();
   ClosestPoints(ClosestPoints&&) noexcept;
   ClosestPoints& operator=(ClosestPoints&&) noexcept;
 
-  /// Of the whole surface to a finite point. Among equally close triangles always the same one.
+  /// Returns the point of the surface that is closest to a finite point. Among triangles that are equally
+  /// close it is always the same one.
   Hit operator()(const Vec3d& p) const;
 
-  /// To each of many points, on all cores; the same for any number of them.
+  /// Returns the closest point for each of many points. It uses all cores; the result does not depend on
+  /// their number.
   std::vector<Hit> operator()(std::span<const Vec3d> points) const;
 
  private:

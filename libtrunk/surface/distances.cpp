@@ -6,7 +6,7 @@
 namespace trunk {
 namespace {
 
-/// Linear between the sorted numbers, of which there is one at least.
+/// Returns a quantile by linear interpolation between sorted numbers. sorted: [1 or more].
 double quantile(const std::vector<double>& sorted, double fraction) {
   const double at = fraction * static_cast<double>(sorted.size() - 1);
   const auto below = static_cast<std::size_t>(at);

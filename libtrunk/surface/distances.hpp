@@ -8,23 +8,25 @@
 
 namespace trunk {
 
-/// How far one surface is from another, in one direction, in the unit of the points.
+/// Statistics of the distances from one surface to another, in one direction, in the unit of the points.
 struct Distances {
   double mean = 0.0, rms = 0.0, median = 0.0, percentile95 = 0.0;
   double hausdorff = 0.0;  // the largest: one-sided Hausdorff distance
 };
 
-/// Of numbers that are already distances, each >= 0; all 0 of none. Percentiles are interpolated linearly
-/// between the sorted numbers.
+/// Returns the statistics of distances, each >= 0; all are 0 if there are none. Percentiles are interpolated
+/// linearly between the sorted numbers.
 Distances statistics_of(std::vector<double> distances);
 
-/// `count` points spread evenly over the area of a surface: as many on equal areas, by a sequence of low
-/// discrepancy within (Roberts' R2), the same on every call. Empty where the area is 0.
+/// Returns `count` points spread evenly over the area of a surface, the same on every call; none if the area
+/// is 0. Equal areas get equal numbers of points; within a triangle they follow a sequence of low discrepancy
+/// (Roberts' R2).
 std::vector<Vec3d> spread_over(std::span<const Vec3d> points, std::span<const Triangle> triangles,
                                std::size_t count);
 
-/// Of points of a surface to their closest points on another: `samples` of them spread over its area; the
-/// largest distance also counts the corners of its triangles.
+/// Returns the statistics of the distances from points of a surface to their closest points on another. The
+/// points are `samples` points spread over its area; the largest distance also counts the corners of its
+/// triangles.
 Distances distances(std::span<const Vec3d> points, std::span<const Triangle> triangles,
                     const ClosestPoints& to, std::size_t samples = 20000);
 

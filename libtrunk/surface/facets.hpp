@@ -5,14 +5,14 @@
 #include "math/vec3.hpp"
 #include "mesh/surface.hpp"
 
-/// Private to the surface layer: a triangle among points.
+/// Geometry of one triangle among points. Private to the surface layer.
 namespace trunk {
 
 inline const Vec3d& point_of(const std::vector<Vec3d>& points, int i) {
   return points[static_cast<std::size_t>(i)];
 }
 
-/// As long as the area, towards the side that the triangle faces.
+/// Returns a vector as long as the area, towards the side that the triangle faces.
 inline Vec3d area_vector(const std::vector<Vec3d>& points, const Triangle& t) {
   const Vec3d& a = point_of(points, t[0]);
   return 0.5 * cross(point_of(points, t[1]) - a, point_of(points, t[2]) - a);

@@ -8,8 +8,8 @@
 
 namespace trunk {
 
-/// A surface that somebody segmented or reconstructed: triangles in the trunk's axes. It may be open, in
-/// several pieces, with holes; a closed one faces outward, an open one upward or away from its middle.
+/// A surface that somebody segmented or reconstructed: triangles in the trunk's axes. It may be open, consist
+/// of several pieces and have holes. A closed one faces outward, an open one upward or away from its middle.
 struct MeasuredSurface {
   std::string name;                 // for messages and tables
   std::vector<Vec3d> points;        // [points] m; x right, y forward, z up (RAS), any origin

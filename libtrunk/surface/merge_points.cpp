@@ -8,13 +8,15 @@
 namespace trunk {
 namespace {
 
-/// Points in cubes of eight tolerances: a near one is in the same cube, or across the face that is near.
+/// Points sorted into cubes with edges of eight tolerances. A point that is near is in the same cube or
+/// behind a face that is near.
 class NearPoints {
  public:
-  /// Cubes are counted from `origin`, one of the points: far from 0 their numbers would overflow.
+  /// Cubes are counted from `origin`, one of the points, since their numbers would overflow far from 0.
   NearPoints(double tolerance, const Vec3d& origin) : tolerance_(tolerance), origin_(origin) {}
 
-  /// An earlier point within the tolerance, or -1; then this one is kept as `index`.
+  /// Returns an earlier point within the tolerance; -1 if there is none, and then keeps this point as
+  /// `index`.
   int find_or_add(const std::vector<Vec3d>& points, int index) {
     const Vec3d& p = points[static_cast<std::size_t>(index)];
     const double edge = 8.0 * tolerance_;

@@ -4,8 +4,8 @@
 
 namespace trunk {
 
-/// Triangles refer to the first of the points that are nearer than the tolerance to each other; the others
-/// stay, without triangle. => how many those are
+/// Makes triangles refer to the first of several points that are nearer to each other than the tolerance, in
+/// the unit of the points. The other points stay, without triangles. Returns the number of these.
 std::size_t merge_points(MeasuredSurface& surface, double tolerance);
 
 }  // namespace trunk

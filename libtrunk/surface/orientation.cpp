@@ -12,7 +12,7 @@
 namespace trunk {
 namespace {
 
-/// Renumbers sets from 0 in the order in which they come.
+/// Gives sets new numbers from 0, in the order in which they come.
 class Numbering {
  public:
   int operator()(int set) {
@@ -23,8 +23,8 @@ class Numbering {
   std::unordered_map<int, int> numbers_;
 };
 
-/// Of a patch: `away` is positive where it faces away from its middle, three times its volume if it is
-/// closed.
+/// How a patch faces. `away` is positive if the patch faces away from its middle; for a closed patch it is
+/// three times the volume.
 struct Facing {
   Vec3d weighted_centre, net;
   double area = 0.0, away = 0.0, reach = 0.0;

@@ -145,7 +145,7 @@ RepairReport repair(MeasuredSurface& s) {
     drop_specks(s, report);
     face_outward(s);
   }
-  RepairReport merged;  // points that merging and dropping left over are counted already
+  RepairReport merged;  // not reported: points that merging and dropping left over are counted already
   drop_unused_points(s, merged);
   count_features(s, report);
   return report;

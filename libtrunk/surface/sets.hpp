@@ -6,7 +6,7 @@
 /// Private to the surface layer.
 namespace trunk {
 
-/// Union of sets, by halving paths.
+/// Disjoint sets that can be joined (union-find with path halving).
 class Sets {
  public:
   explicit Sets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }

@@ -41,8 +41,8 @@ FacetBox box_around(std::initializer_list<Vec3d> points) {
   return box;
 }
 
-/// Looks along the normal of a facet, both ways, for the nearest facet that lies about parallel and shares no
-/// corner with it.
+/// Searches along the normal of a facet, both ways, for the nearest facet that is about parallel and shares
+/// no corner with it.
 struct Look {
   const std::vector<Facet>& facets;
   const std::vector<Triangle>& triangles;
@@ -51,7 +51,7 @@ struct Look {
   const Facet& self = facets[static_cast<std::size_t>(from)];
   FacetBox path = box_around({self.centre - reach * self.normal, self.centre + reach* self.normal});
   int found = -1;
-  double along = HUGE_VAL;  // to the other, positive where the facet faces it
+  double along = HUGE_VAL;  // distance to it, positive if the facet faces it
 
   bool intersectVolume(const FacetBox& box) const { return path.intersects(box); }
 
@@ -107,7 +107,8 @@ std::vector<Partner> partners_of(const std::vector<Facet>& facets, const std::ve
   return partners;
 }
 
-/// Parts of neighbouring facets that all have a partner, one number a facet; -1 without partner.
+/// Returns, for each facet, the number of its part of neighbouring facets that all have a partner; -1 for a
+/// facet without partner.
 std::vector<int> partnered_parts(const std::vector<Triangle>& triangles,
                                  const std::vector<Partner>& partners) {
   std::vector<Triangle> partnered;
@@ -133,8 +134,9 @@ Vec3d middle_of(const std::vector<Facet>& facets) {
   return (1.0 / area) * sum;
 }
 
-/// Whether each facet is of the outer side: a part is, when most of it has its partner towards the middle.
-/// A part that is its own partner is joined around the rim: there each facet tells for itself.
+/// Returns whether each facet belongs to the outer side. A part does if most of it has its partner towards
+/// the middle. A part that is its own partner is joined around the rim: there, each facet is decided by
+/// itself.
 std::vector<bool> outer_side(const std::vector<Facet>& facets, const std::vector<Partner>& partners,
                              const std::vector<int>& parts) {
   const Vec3d middle = middle_of(facets);

@@ -4,9 +4,10 @@
 
 namespace trunk {
 
-/// The same surface with at most so many triangles, for looking at: points of one cube of a grid become their
-/// mean, triangles within a cube vanish; cubes grow until it is enough (Rossignac and Borrel 1993). A surface
-/// that has no more comes back as it is. Triangles that come to lie in one place stay there once.
+/// Returns the surface with at most `most_triangles` triangles, for display (vertex clustering, Rossignac and
+/// Borrel 1993). The points in one cube of a grid become their mean, and triangles within a cube vanish; the
+/// cubes grow until few enough triangles are left. Of triangles in one place only one stays. A surface that
+/// is small enough is returned unchanged.
 MeasuredSurface thinned(const MeasuredSurface& surface, std::size_t most_triangles);
 
 }  // namespace trunk

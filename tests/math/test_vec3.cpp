@@ -70,14 +70,14 @@ TEST_CASE("The cross product turns x into y into z and is antisymmetric", "[unit
   }
 }
 
-TEST_CASE("select takes the first where the mask holds", "[unit][math]") {
+TEST_CASE("Selection takes the first value where the mask is true", "[unit][math]") {
   const Vec3d a{1, 2, 3}, b{4, 5, 6};
   CHECK(norm(select(true, a, b) - a) == 0.0);
   CHECK(norm(select(false, a, b) - b) == 0.0);
   CHECK(select(true, 1.0L, 2.0L) == 1.0L);
 }
 
-TEST_CASE("finite sees NaN and infinity", "[unit][math]") {
+TEST_CASE("A test for finite values sees NaN and infinity", "[unit][math]") {
   const double inf = std::numeric_limits<double>::infinity();
   CHECK(finite(0.0));
   CHECK(finite(-1e300));
