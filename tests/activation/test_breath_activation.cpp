@@ -70,7 +70,7 @@ TEST_CASE("The activation is the same in another scalar", "[unit][activation]") 
   for (double t = 0.0; t < 5.0; t += 0.013) CHECK(a(t) == Approx(static_cast<double>(b(t))).margin(1e-15));
 }
 
-TEST_CASE("Knots bend the lines: heights are multiplied, straight in between, nothing else moves",
+TEST_CASE("Knots multiply the heights of the lines, which stay straight between knots",
           "[unit][activation]") {
   BreathActivation<double> straight{0.2, 1.2, 0.4, 1.6, 0.35}, bent = straight;
   const double knot_s[] = {0.4, 0.6, 0.8, 1.0, 1.2, 1.6, 2.2, 2.6, 3.0};

@@ -50,21 +50,21 @@ TEST_CASE("The paralysed dome rises while the healthy one descends, at about hal
 }
 
 TEST_CASE("Without ribs the paralysed dome does not rise", "[regression][anatomy][slow]") {
-  // The published model lacks the paradox; ours owes it to the ribs, not to a script.
+  // The published model has no paradox. Ours has it because of the ribs, not because of a script.
   CHECK(breath_of("published_hemiparalysis_right").measures.excursion_right > 0.0);
 }
 
-TEST_CASE("Both hemidiaphragms paralysed do not breathe", "[unit][anatomy]") {
+TEST_CASE("A trunk with both hemidiaphragms paralysed does not breathe", "[unit][anatomy]") {
   Scenario scenario = shipped("healthy");
   scenario.tissue.paralysed = Side::both;
   scenario.parameters.muscle = 30.0;
-  scenario.time.duration_s = 0.1;  // nothing happens: no need to wait
+  scenario.time.duration_s = 0.1;  // nothing happens, so a short time is enough
   const BreathRun run = run_breath(make_trunk(scenario), scenario, 0);
   CHECK(run.ending.completed());
   CHECK(std::abs(run.measures.delta_v) < 1e-12);
 }
 
-TEST_CASE("The curves of a breath have one entry a step and end where they began",
+TEST_CASE("The curves of a breath have one entry for each step and end near their start",
           "[property][anatomy][slow]") {
   const Scenario scenario = shipped("healthy");
   const BreathRun run = run_breath(make_trunk(scenario), scenario, 100);
@@ -95,8 +95,7 @@ TEST_CASE("The volume curve of a fit is that of the run", "[property][anatomy]")
   CHECK(curve.delta_v == run.delta_v);
 }
 
-TEST_CASE("Breaths summarised side by side are those of each alone, also beside one that fails",
-          "[property][anatomy]") {
+TEST_CASE("Breaths side by side are the same as alone, also beside one that fails", "[property][anatomy]") {
   Scenario scenario = shipped("hemiparalysis_right");
   scenario.time.duration_s = 0.3;
   const Trunk trunk = make_trunk(scenario);
@@ -138,7 +137,7 @@ TEST_CASE("More muscle breathes more, more elasticity less", "[property][anatomy
   const double usual = volume(1, 1);
   CHECK(volume(1.2, 1) > 1.1 * usual);
   CHECK(volume(1, 1.2) < 0.95 * usual);
-  // Slow breathing sees their ratio alone.
+  // Slow breathing depends on their ratio only.
   CHECK(volume(1.2, 1.2) == Approx(usual).epsilon(0.02));
 }
 

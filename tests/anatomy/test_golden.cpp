@@ -43,7 +43,7 @@ std::string first_difference(const std::string& before, const std::string& now) 
   return "'" + was + "' then, '" + is + "' now";
 }
 
-/// Stops a comparison of different questions.
+/// Fails if the two programs had different input.
 void require_same_scenario(const Json& golden, const Scenario& scenario) {
   const std::string then = golden.at("scenario_toml"), now = to_toml(scenario);
   INFO("The scenario is not the one of the golden data: " << first_difference(then, now) << "; "
@@ -102,7 +102,7 @@ TEST_CASE("Breaths are where the independent oracle puts them", "[regression][go
   }
 }
 
-TEST_CASE("Golden data say where they come from, and stay small", "[unit][golden]") {
+TEST_CASE("Golden data name their source and stay small", "[unit][golden]") {
   for (const auto& path : golden_files()) {
     CAPTURE(path.filename().string());
     CHECK(std::filesystem::file_size(path) < 20'000);

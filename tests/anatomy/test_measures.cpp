@@ -22,7 +22,7 @@ Measures measured(const std::vector<Vec3d>& after) {
 
 }  // namespace
 
-TEST_CASE("Nothing moved: every measure is 0", "[unit][anatomy]") {
+TEST_CASE("Every measure is 0 if nothing moved", "[unit][anatomy]") {
   const Measures m = measured(healthy().model.rest);
   for (const double value :
        {m.delta_v, m.delta_l, m.delta_l_fraction, m.delta_h, m.delta_r, m.excursion_right, m.excursion_left})
@@ -31,7 +31,7 @@ TEST_CASE("Nothing moved: every measure is 0", "[unit][anatomy]") {
   CHECK(m.end_inspiratory_volume == Approx(4760e-6));
 }
 
-TEST_CASE("The top of the zone drawn down shortens the zone and leaves the dome higher above it",
+TEST_CASE("A lower top of the zone shortens the zone and leaves the dome higher above it",
           "[unit][anatomy]") {
   const Measures m = measured(shifted(healthy().model.rest, "apposition_top", {0, 0, -0.009}));
   CHECK(m.delta_l == Approx(0.009));
@@ -41,7 +41,7 @@ TEST_CASE("The top of the zone drawn down shortens the zone and leaves the dome 
   CHECK(m.excursion_right == Approx(0.0).margin(1e-15));
 }
 
-TEST_CASE("A piston descent is all shortening, no flattening, and adds its cross-section's volume",
+TEST_CASE("A descent like a piston shortens the zone, flattens nothing and adds its cross-section's volume",
           "[unit][anatomy]") {
   std::vector<Vec3d> x = healthy().model.rest;
   for (const char* name : {"apposition_top", "central_tendon"}) x = shifted(x, name, {0, 0, -0.009});
@@ -57,7 +57,7 @@ TEST_CASE("A piston descent is all shortening, no flattening, and adds its cross
   CHECK(m.end_inspiratory_volume - m.end_expiratory_volume == Approx(m.delta_v));
 }
 
-TEST_CASE("Domes drawn down flatten and descend, each on its own side", "[unit][anatomy]") {
+TEST_CASE("Lower domes are flatter and have descended, each on its own side", "[unit][anatomy]") {
   const Measures m = measured(shifted(healthy().model.rest, "dome_top_right", {0, 0, -0.006}));
   CHECK(m.excursion_right == Approx(0.006));
   CHECK(m.excursion_left == Approx(0.0).margin(1e-15));
@@ -66,7 +66,7 @@ TEST_CASE("Domes drawn down flatten and descend, each on its own side", "[unit][
   CHECK(m.delta_v > 0.0);
 }
 
-TEST_CASE("A zone drawn wide widens by the mean of its rings", "[unit][anatomy]") {
+TEST_CASE("A wider zone widens by the mean of its rings", "[unit][anatomy]") {
   std::vector<Vec3d> x = healthy().model.rest;
   for (int i : healthy().mesh.named("apposition_middle")) {
     Vec3d& p = x[static_cast<std::size_t>(i)];

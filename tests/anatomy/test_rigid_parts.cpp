@@ -36,7 +36,7 @@ struct Held {
   double volume_error = 0.0, farthest_outside = -1.0;
 };
 
-/// What the constraints leave over, over a whole breath.
+/// The errors of the constraints over a whole breath.
 Held held_over(const Scenario& scenario, const Trunk& trunk) {
   Held held;
   held.ending = simulate(
@@ -69,7 +69,7 @@ RigidPart part(const std::string& region, RigidBody::Motion motion, const std::s
 
 }  // namespace
 
-TEST_CASE("The rib cage is one fixed body: costal insertion, wall and top of the lung", "[unit][anatomy]") {
+TEST_CASE("The rib cage is one fixed body of costal insertion, wall and top of the lung", "[unit][anatomy]") {
   const Trunk trunk = make_trunk(shipped("healthy"));
   REQUIRE(trunk.model.bodies.size() == 1);
   const RigidBody& ribs = trunk.model.bodies[0];
@@ -91,7 +91,7 @@ TEST_CASE("Without ribs there is no body and no surface", "[unit][anatomy]") {
   CHECK(trunk.model.supports.empty());
 }
 
-TEST_CASE("A part of one's own takes its particles and its surface from the rib cage", "[unit][anatomy]") {
+TEST_CASE("A rigid part takes its particles and its surface from the rib cage", "[unit][anatomy]") {
   Scenario scenario = shipped("healthy");
   scenario.rigid = {swinging_half(scenario, "right", 3.0)};
   const Trunk trunk = make_trunk(scenario);
@@ -107,13 +107,13 @@ TEST_CASE("A part of one's own takes its particles and its surface from the rib 
   for (const Support& s : trunk.model.supports)
     CHECK(s.body == (std::find(zone.begin(), zone.end(), s.particle) != zone.end() ? 0 : 1));
 
-  scenario.tissue.ribs = false;  // then there is that part alone
+  scenario.tissue.ribs = false;  // then this part is the only one
   const Trunk alone = make_trunk(scenario);
   CHECK(alone.model.bodies.size() == 1);
   CHECK(alone.model.supports.size() == zone.size());
 }
 
-TEST_CASE("Two halves of the rib cage that swing outward: volume and ribs hold, the breath is deeper",
+TEST_CASE("If both halves of the rib cage swing outward, volume and ribs hold and the breath is deeper",
           "[property][anatomy][slow]") {
   Scenario scenario = shipped("healthy");
   const double without = run_breath(make_trunk(scenario), scenario, 0).measures.delta_v;
@@ -123,7 +123,7 @@ TEST_CASE("Two halves of the rib cage that swing outward: volume and ribs hold, 
   CHECK(held.ending.completed());
   CHECK(held.volume_error < 1e-10);
   CHECK(held.farthest_outside < 1e-9);
-  CHECK(held.farthest_outside > -1e-3);  // some do touch
+  CHECK(held.farthest_outside > -1e-3);  // some supports touch
 
   const BreathRun run = run_breath(trunk, scenario, 0);
   WARN("halves at 3 degrees: delta V " << 1e6 * run.measures.delta_v << " ml, without " << 1e6 * without
@@ -135,7 +135,7 @@ TEST_CASE("Two halves of the rib cage that swing outward: volume and ribs hold, 
   const auto rightmost = at(*std::max_element(costal.begin(), costal.end(), [&](int a, int b) {
     return trunk.model.rest[at(a)].x() < trunk.model.rest[at(b)].x();
   }));
-  CHECK(run.end_inspiration[rightmost].x() > trunk.model.rest[rightmost].x() + 5e-3);  // outward it was
+  CHECK(run.end_inspiration[rightmost].x() > trunk.model.rest[rightmost].x() + 5e-3);  // it moves outward
 
   // Every particle moves as its mirror image does, to 1 % of the largest motion.
   double largest_motion = 0.0, worst = 0.0;
@@ -150,7 +150,7 @@ TEST_CASE("Two halves of the rib cage that swing outward: volume and ribs hold, 
   CHECK(worst < 0.01 * largest_motion);
 }
 
-TEST_CASE("Halves that swing inward make the breath shallower, and come back to where they were",
+TEST_CASE("Halves that swing inward make the breath shallower and come back to their place",
           "[property][anatomy][slow]") {
   Scenario scenario = shipped("healthy");
   const double without = run_breath(make_trunk(scenario), scenario, 0).measures.delta_v;
@@ -191,7 +191,7 @@ TEST_CASE("A free tendon without ribs moves as one piece, and the volume holds",
   CHECK(run.measures.delta_v > 50e-6);
 }
 
-TEST_CASE("Rigid parts that cannot be are refused with their place", "[unit][anatomy]") {
+TEST_CASE("Impossible rigid parts are refused with their place", "[unit][anatomy]") {
   using enum RigidBody::Motion;
   const Scenario healthy = shipped("healthy");
   const auto refused = [&](std::vector<RigidPart> parts, const std::string& what,
@@ -200,11 +200,11 @@ TEST_CASE("Rigid parts that cannot be are refused with their place", "[unit][ana
     INFO(message);
     CHECK(message.starts_with("own.toml:7: "));
     CHECK_THAT(message, Contains(what));
-    CHECK(message.find("own.toml", 5) == std::string::npos);  // the place is said once
+    CHECK(message.find("own.toml", 5) == std::string::npos);  // the place is there once
   };
   refused({part("rib_cage_right", fixed), part("lung_wall", fixed)}, "two rigid bodies");
   refused({part("sternum", fixed)}, "'sternum'");
-  refused({part("sternum", fixed)}, "rib_cage_right");  // says what there is
+  refused({part("sternum", fixed)}, "rib_cage_right");  // names what there is
   refused({part("lung_wall", fixed, "sternum")}, "'sternum'");
   refused({part("0-113", free)}, "0-113");
   refused({part("dome_saddle", free)}, "on a line");
@@ -268,7 +268,7 @@ TEST_CASE("A trunk in other axes, or with another order of its lines, is refused
              Contains("'zone_of_apposition'"));
 }
 
-TEST_CASE("Which side a particle is on is told from the trunk's own midline", "[regression][anatomy]") {
+TEST_CASE("The side of a particle depends on the trunk's own midline", "[regression][anatomy]") {
   Tissue tissue;
   tissue.paralysed = Side::right;
   const TrunkMesh mesh = mesh_of(Scenario{});

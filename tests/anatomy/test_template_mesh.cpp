@@ -19,7 +19,7 @@ TrunkMesh mesh_at(int resolution) {
   return make_template_mesh(geometry);
 }
 
-/// The particle there; -1 where there is none.
+/// Returns the particle at a place; -1 if there is none.
 int particle_at(const TrunkMesh& mesh, const Vec3d& place) {
   for (std::size_t i = 0; i < mesh.rest.size(); ++i)
     if (norm(mesh.rest[i] - place) < 1e-12) return static_cast<int>(i);
@@ -34,7 +34,7 @@ Triangle turned(const Triangle& t) {
 
 }  // namespace
 
-TEST_CASE("The template has as many particles as its resolution asks for", "[unit][anatomy]") {
+TEST_CASE("The template has the number of particles of its resolution", "[unit][anatomy]") {
   const std::size_t expected[] = {113, 455, 1029, 1835};
   for (int r = 1; r <= 4; ++r) {
     CAPTURE(r);
@@ -79,7 +79,7 @@ TEST_CASE("Every resolution is its own mirror image, regions and halves included
     for (const auto* surface : {&mesh.abdomen, &mesh.lung}) {
       std::set<Triangle> all;
       for (const Triangle& t : *surface) all.insert(turned(t));
-      for (const Triangle& t : *surface)  // a mirror turns the sense round
+      for (const Triangle& t : *surface)  // a mirror reverses the sense of rotation
         REQUIRE(all.contains(turned({image[at(t[0])], image[at(t[2])], image[at(t[1])]})));
     }
     for (const char* name : {"rib_cage", "zone_of_apposition", "dome_top"}) {
@@ -104,7 +104,7 @@ TEST_CASE("At every resolution the lung encloses the end-expiratory volume exact
   }
 }
 
-TEST_CASE("What is measured lies at the same places at every resolution", "[property][anatomy]") {
+TEST_CASE("Landmarks for measures have the same places at every resolution", "[property][anatomy]") {
   const TrunkMesh coarse = mesh_at(1);
   for (int r = 2; r <= 4; ++r) {
     const TrunkMesh fine = mesh_at(r);
@@ -152,8 +152,9 @@ TEST_CASE("At every resolution each particle has one region, and the regions are
   }
 }
 
-TEST_CASE("Muscle lines: twelve a resolution, from the costal insertion to the border of the tendon",
-          "[unit][anatomy]") {
+TEST_CASE(
+    "Twelve muscle lines times the resolution run from the costal insertion to the border of the tendon",
+    "[unit][anatomy]") {
   for (int r = 1; r <= 4; ++r) {
     CAPTURE(r);
     const TrunkMesh mesh = mesh_at(r);
@@ -206,6 +207,6 @@ TEST_CASE("A finer mesh lies on a smooth profile, not on the chords of the coars
   }
 }
 
-TEST_CASE("A resolution that is none is refused", "[unit][anatomy]") {
+TEST_CASE("An impossible resolution is refused", "[unit][anatomy]") {
   for (const int r : {-1, 0, 17}) CHECK_THROWS_WITH(mesh_at(r), Contains("expected 1 to 16"));
 }

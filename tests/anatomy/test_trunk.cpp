@@ -16,7 +16,7 @@ Trunk default_trunk(const Tissue& tissue = {}) {
   return make_template_trunk(TrunkGeometry{}, tissue, Reaction::variational);
 }
 
-/// A triangle by its corners alone, whatever the order.
+/// Returns the corners of a triangle, sorted.
 Triangle sorted(Triangle t) {
   std::sort(t.begin(), t.end());
   return t;
@@ -104,7 +104,7 @@ TEST_CASE("The lung encloses the end-expiratory volume exactly", "[property][ana
   }
 }
 
-TEST_CASE("The sizes asked for are those built", "[unit][anatomy]") {
+TEST_CASE("The template has the given sizes", "[unit][anatomy]") {
   TrunkGeometry g;
   g.dome_height_right = 0.080;
   g.dome_height_left = 0.060;
@@ -126,7 +126,7 @@ TEST_CASE("The central tendon is twice as stiff as the other diaphragm", "[unit]
     for (int i : trunk.mesh.regions.at(region)) CHECK(stiffness_weight_of(trunk.model, i) == 1.0);
 }
 
-TEST_CASE("Twelve fibres join the costal insertion with their end at the same angle", "[unit][anatomy]") {
+TEST_CASE("Twelve fibres join the costal insertion to their end at the same angle", "[unit][anatomy]") {
   for (const FibreEnd end : {FibreEnd::tendon_border, FibreEnd::apposition_top}) {
     const Trunk trunk = default_trunk(Tissue{.fibre_end = end});
     const auto& end_of =
@@ -198,7 +198,7 @@ TEST_CASE("Paralysis stills the fibres of its side and softens that half of the 
   for (const Fibre& fibre : both.model.fibres) CHECK(fibre.activity == 0.0);
 }
 
-TEST_CASE("A particle belongs to the sides with a sum of one", "[unit][anatomy]") {
+TEST_CASE("The shares of a particle in both sides sum to one", "[unit][anatomy]") {
   for (const double x : {-0.1, 0.0, 0.1}) {
     CHECK(share_of_side(Side::right, x) + share_of_side(Side::left, x) == 1.0);
     CHECK(share_of_side(Side::both, x) == 1.0);

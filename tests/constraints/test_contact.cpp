@@ -58,7 +58,7 @@ TEST_CASE("A particle lifts off freely", "[unit][constraints]") {
   CHECK(state.position[0].z() - model.rest[0].z() == Approx(0.5 * free_fall * 0.1 * 0.101));
 }
 
-TEST_CASE("On a slope below the angle of friction a particle sticks, above it slides by Coulomb's law",
+TEST_CASE("On a slope below the angle of friction a particle sticks; above it, it slides by Coulomb's law",
           "[property][constraints]") {
   const double friction = 0.4, steep = 0.6, time_s = 0.2;
   for (const double angle : {0.1, 0.2, 0.35}) {
@@ -85,7 +85,7 @@ TEST_CASE("Friction brings a sliding particle to rest and does not turn it back"
   CHECK(norm(velocity(state, 0, tick_s)) < 1e-12);
 }
 
-TEST_CASE("A hollow surface leads a sliding particle along its curve", "[property][constraints]") {
+TEST_CASE("A sliding particle follows the curve of a hollow surface", "[property][constraints]") {
   const double curvature = 5.0;
   const Model model = on_surface(0.0, {0, 0, -free_fall}, curvature);
   State<double> state = rest_state<double>(model);
@@ -102,7 +102,7 @@ TEST_CASE("A hollow surface leads a sliding particle along its curve", "[propert
   CHECK(highest == Approx(0.1 / (2 * free_fall)).epsilon(0.05));  // v^2 / 2g: it swings up the bowl
 }
 
-TEST_CASE("A rib surface that moves takes along what sticks to it and leaves what slides",
+TEST_CASE("A rib surface that moves takes particles along that stick, but not those that slide",
           "[property][constraints]") {
   for (const double friction : {0.0, 1.0}) {
     Model model = on_surface(friction, {0, 0, -free_fall});
@@ -117,7 +117,7 @@ TEST_CASE("A rib surface that moves takes along what sticks to it and leaves wha
   }
 }
 
-TEST_CASE("Friction between ribs and zone of apposition: volume and ribs still hold, the breath is smaller",
+TEST_CASE("With friction between ribs and zone of apposition, volume and ribs hold and the breath is smaller",
           "[property][constraints][slow]") {
   double smooth_volume = 0.0;
   for (const double friction : {0.0, 0.3}) {

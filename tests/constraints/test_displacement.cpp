@@ -35,12 +35,12 @@ TEST_CASE("Displacements on different axes of one particle do not disturb each o
   CHECK(x[0].z() == 0.0);
 }
 
-TEST_CASE("A displaced region follows its course at every step and the volume is held all the same",
+TEST_CASE("A displaced region follows its course at every step, and the volume is still held",
           "[property][constraints]") {
   Scenario scenario = shipped("healthy");
   scenario.parameters.muscle = 0.0;
   scenario.time.duration_s = 0.2;
-  // The saddle and domes drawn down by 5 mm: on one axis, free to slide sideways.
+  // The saddle and the domes move down by 5 mm on one axis and are free to slide sideways.
   scenario.loads = {{RegionLoad::Kind::displacement,
                      "central_tendon",
                      {0, 0, -1},

@@ -10,7 +10,7 @@ using namespace trunk::test;
 
 namespace {
 
-/// One projection of a model away from its rest: what went in and what came out.
+/// One projection of a model away from rest: its input and its result.
 struct Projected {
   const Model& model;
   State<double> state = rest_state<double>(model);
@@ -44,7 +44,7 @@ struct Projected {
   }
 };
 
-/// Positions as an integrator predicts them: held particles stay.
+/// Returns positions as an integrator predicts them: held particles stay.
 std::vector<Vec3d> predicted(const Model& model, double size, Random& random) {
   std::vector<Vec3d> x = model.rest;
   for (std::size_t i = 0; i < x.size(); ++i) x[i] += scaled(model.mobility[i], random.vector(size));
@@ -71,7 +71,7 @@ TEST_CASE("Without supports the volume is restored to round-off", "[property][co
   WARN("largest relative volume error without supports: " << worst);
 }
 
-TEST_CASE("Held particles and held axes are left where they are", "[property][constraints]") {
+TEST_CASE("Held particles and held axes stay where they are", "[property][constraints]") {
   Random random(52);
   Trunk trunk = make_template_trunk({}, {}, Reaction::variational);
   const auto dome = static_cast<std::size_t>(trunk.mesh.named("dome_saddle").front());
@@ -104,10 +104,10 @@ TEST_CASE("The correction is along the volume gradient over the effective mass",
     const Vec3d expected = (p.result.multiplier / 6.0 / effective_mass) * p.w.reactions.area[i];
     CHECK(norm(p.w.next[i] - mesh.position[i] - expected) < 1e-13);
   }
-  CHECK(p.result.multiplier > 0.0);  // growing takes a positive pressure
+  CHECK(p.result.multiplier > 0.0);  // a larger volume needs a positive pressure
 }
 
-TEST_CASE("A volume whose surface is not elastic is held as one of no stiffness", "[unit][constraints]") {
+TEST_CASE("A volume whose surface is not elastic is held like one without stiffness", "[unit][constraints]") {
   Random random(58);
   const Mesh mesh = icosphere(0.1, 1);
   Model elastic = free_body(mesh, Reaction::variational, 0.2);
@@ -133,7 +133,8 @@ TEST_CASE("A volume whose surface is not elastic is held as one of no stiffness"
   }
 }
 
-TEST_CASE("With supports: no penetration, the exact volume, and no pull", "[property][constraints]") {
+TEST_CASE("With supports the volume is exact, and no particle penetrates or is pulled",
+          "[property][constraints]") {
   Random random(53);
   const Trunk trunk = make_template_trunk({}, {}, Reaction::variational);
   REQUIRE(trunk.model.supports.size() == 24);
@@ -178,8 +179,8 @@ TEST_CASE("With supports: no penetration, the exact volume, and no pull", "[prop
 }
 
 TEST_CASE("The volume correction itself can end or begin a contact", "[property][constraints]") {
-  // At rest every apposition particle lies on its plane. Less volume draws them all off, more presses them
-  // on.
+  // At rest every particle of the zone lies on its plane. Less volume pulls all of them off, more presses
+  // them on.
   const Trunk trunk = make_template_trunk({}, {}, Reaction::variational);
   const auto touching = [&](double fraction) {
     const Projected p(trunk.model, trunk.model.rest, fraction);
@@ -206,7 +207,7 @@ TEST_CASE("Supports that touch without force do not keep the search from ending"
   CHECK(lost == 0);
 }
 
-TEST_CASE("Contacts of the step before do not change what is a solution", "[property][constraints]") {
+TEST_CASE("Contacts of the step before do not change the solution", "[property][constraints]") {
   Random random(54);
   const Trunk trunk = make_template_trunk({}, {}, Reaction::variational);
   const auto x = predicted(trunk.model, 3e-3, random);
@@ -221,7 +222,7 @@ TEST_CASE("Contacts of the step before do not change what is a solution", "[prop
   }
 }
 
-TEST_CASE("A volume out of reach is reported, not invented", "[unit][constraints]") {
+TEST_CASE("A volume out of reach is reported", "[unit][constraints]") {
   const Trunk trunk = make_template_trunk({}, {}, Reaction::variational);
   Model held = trunk.model;
   for (Vec3d& m : held.mobility) m = Vec3d{0, 0, 0};

@@ -31,7 +31,8 @@ TEST_CASE("The cubic is the volume along the direction", "[property][constraints
     calc_ring_areas<double>(model.abdomen.rings, w.next, w.reactions.area);
     detail::calc_direction(model, rest_state<double>(model), w);
     const VolumeCubic<double> cubic = detail::volume_along_direction(w);
-    const double unit = 0.1 / largest(w.direction);  // lambda that moves a particle by 0.1 m: all terms count
+    const double unit =
+        0.1 / largest(w.direction);  // the lambda that moves a particle by 0.1 m, so that all terms count
     for (const double share : {-2.0, -0.5, 0.0, 0.01, 0.3, 1.0, 3.0}) {
       std::vector<Vec3d> moved = w.next;
       for (std::size_t i = 0; i < moved.size(); ++i) moved[i] += (share * unit) * w.direction[i];
@@ -54,8 +55,7 @@ TEST_CASE("GSL's root is a root, and the nearest one", "[unit][constraints]") {
   CHECK(*nearest_real_root({0.0, 3.0, 1.0, 0.0}, -2.0) == Approx(-1.0));  // a parabola, roots -1 and -2
 }
 
-TEST_CASE("The root of the kernel is GSL's wherever a step changes the volume little",
-          "[property][constraints]") {
+TEST_CASE("The root of the kernel is GSL's if a step changes the volume little", "[property][constraints]") {
   // Changes up to a twentieth of the volume; a time step changes it by less than a thousandth.
   Random random(42);
   double worst = 0.0;
@@ -81,7 +81,7 @@ TEST_CASE("The root of the kernel is GSL's wherever a step changes the volume li
   CHECK(worst < 1e-13);
 }
 
-TEST_CASE("Among three roots the kernel takes the nearest", "[unit][constraints]") {
+TEST_CASE("The kernel takes the nearest of three roots", "[unit][constraints]") {
   Random random(43);
   for (int i = 0; i < 200; ++i) {
     // The nearest root well apart from the others, as a small volume change leaves it.
@@ -92,13 +92,13 @@ TEST_CASE("Among three roots the kernel takes the nearest", "[unit][constraints]
   }
 }
 
-TEST_CASE("Where Newton's method fails the closed form answers", "[unit][constraints]") {
+TEST_CASE("The closed form gives the root if Newton's method fails", "[unit][constraints]") {
   // Slope 0 at 0: Newton divides by zero at once.
   CHECK(solve_volume(VolumeCubic<double>{0.0, 0.0, 0.0, 1.0}, 8.0) == Approx(2.0));
   CHECK(std::abs(solve_volume(VolumeCubic<double>{-1.0, 0.0, 1.0, 0.0}, 0.0)) == Approx(1.0));
 }
 
-TEST_CASE("Without a real root the answer is NaN", "[unit][constraints]") {
+TEST_CASE("The root is NaN if there is no real root", "[unit][constraints]") {
   CHECK(std::isnan(solve_volume(VolumeCubic<double>{1.0, 0.0, 1.0, 0.0}, 0.5)));  // 1 + x^2 never is 0.5
   CHECK(std::isnan(solve_volume(VolumeCubic<double>{1.0, 0.0, 0.0, 0.0}, 2.0)));  // nothing moves
   const double nan = std::nan("");

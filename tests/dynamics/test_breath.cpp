@@ -10,12 +10,12 @@ using namespace trunk::test;
 
 namespace {
 
-/// What must hold at every step of a breath.
+/// The worst of what must hold at every step of a breath.
 struct Watched {
   Ending ending;
   double volume_error = 0.0;      // relative to the target
   double penetration = -1.0;      // m, of the deepest support
-  double depth_of_contact = 0.0;  // m, of those that say they touch
+  double depth_of_contact = 0.0;  // m, of supports that report contact
   int most_touching = 0;
 };
 
@@ -76,7 +76,7 @@ TEST_CASE("With ribs the volume is held and no support is crossed at any step",
     CHECK(seen.volume_error < 1e-12);
     CHECK(seen.penetration < 1e-10);
     CHECK(seen.depth_of_contact < 1e-10);
-    CHECK(seen.most_touching > 0);  // else nothing was tested
+    CHECK(seen.most_touching > 0);  // else the test shows nothing
     WARN(name << ": largest relative volume error " << seen.volume_error << ", deepest penetration "
               << seen.penetration << " m");
   }
@@ -128,7 +128,7 @@ TEST_CASE("A step allocates nothing", "[property][dynamics]") {
 }
 
 TEST_CASE("At rest without activation nothing moves", "[property][dynamics][slow]") {
-  // Every support touches without force: round-off alone decides which, and the search must not mind.
+  // Every support touches without force: round-off decides which, and the search has to end all the same.
   for (const char* name : {"healthy", "published_healthy"}) {
     Scenario scenario = shipped(name);
     scenario.parameters.muscle = 0.0;
@@ -140,7 +140,7 @@ TEST_CASE("At rest without activation nothing moves", "[property][dynamics][slow
   }
 }
 
-TEST_CASE("A trunk may wait before it breathes", "[property][dynamics][slow]") {
+TEST_CASE("A breath may begin after a pause", "[property][dynamics][slow]") {
   for (const char* name : {"healthy", "hemiparalysis_left", "published_healthy"})
     for (const double onset_s : {0.25, 1.0, 2.0}) {
       Scenario scenario = shipped(name);
@@ -153,7 +153,7 @@ TEST_CASE("A trunk may wait before it breathes", "[property][dynamics][slow]") {
     }
 }
 
-TEST_CASE("Several breaths with pauses run through", "[property][dynamics][slow]") {
+TEST_CASE("Several breaths with pauses complete", "[property][dynamics][slow]") {
   Scenario scenario = shipped("healthy");
   scenario.activation = {0.0, 0.4, 0.1, 0.4, 0.4, 2.0};
   scenario.time.duration_s = 6.0;

@@ -8,7 +8,7 @@ using namespace trunk::test;
 
 namespace {
 
-/// A body that flies, turns and wobbles: no constraint, nothing held.
+/// A body that flies, turns and wobbles, without constraints.
 struct FreeFlight {
   Model model;
   Parameters<double> parameters;
@@ -102,12 +102,12 @@ TEST_CASE("Without damping the energy of a free body drifts with order 1 in the 
     REQUIRE(finest > 1e-7);
     CHECK(std::log2(fine / finest) == Approx(1.0).margin(0.35));
     CHECK(finest < 0.02);
-    // Bounded, not growing: ten times as long drifts no farther.
+    // The drift is bounded: in ten times as long it does not become larger.
     CHECK(largest_energy_change(mesh, 5e-4, 10.0) < 2.0 * fine);
   }
 }
 
-TEST_CASE("With damping the energy of a free body falls all the way", "[property][dynamics][slow]") {
+TEST_CASE("With damping the energy of a free body always falls", "[property][dynamics][slow]") {
   for (const Mesh& mesh : flyers()) {
     FreeFlight body(mesh, Reaction::variational, 20.0, 1e-4);
     const double start = body.energy();

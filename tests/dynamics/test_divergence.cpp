@@ -29,7 +29,7 @@ Outcome outcome_of(const Scenario& scenario) {
 
 }  // namespace
 
-TEST_CASE("A run that blows up says so and shows no NaN before", "[property][dynamics]") {
+TEST_CASE("A run that blows up is reported, and no NaN is observed before", "[property][dynamics]") {
   struct Absurd {
     const char* what;
     void (*make)(Scenario&);
@@ -56,22 +56,22 @@ TEST_CASE("A run that blows up says so and shows no NaN before", "[property][dyn
       CHECK((outcome.ending.status == Ending::Status::diverged ||
              outcome.ending.status == Ending::Status::volume_lost));
       CHECK(outcome.saw_only_finite_numbers);
-      CHECK(outcome.observed <= outcome.ending.steps);  // step 0 counts, the broken one is not shown
+      CHECK(outcome.observed <= outcome.ending.steps);  // step 0 counts, and the broken step is not observed
       CHECK(outcome.ending.message.find(" s") != std::string::npos);
     }
 }
 
-TEST_CASE("A summary that was never filled is no success", "[unit][dynamics]") {
+TEST_CASE("An ending that was never set is no success", "[unit][dynamics]") {
   CHECK_FALSE(Ending{}.completed());
   CHECK(Ending{}.status == Ending::Status::unset);
 }
 
-TEST_CASE("A particle blown out of the trunk ends the run as diverged", "[unit][dynamics]") {
+TEST_CASE("A particle that leaves the trunk ends the run as diverged", "[unit][dynamics]") {
   Scenario scenario = shipped("healthy");
   scenario.parameters.damping = 0.0;
   const Trunk trunk = make_trunk(scenario);
   Model model = trunk.model;
-  // A lung particle set free and kicked: it belongs to no held volume, so only its distance can tell.
+  // A lung particle is set free and pushed. It belongs to no held volume, so only its distance can show this.
   const int lung = trunk.mesh.named("lung_top").front();
   model.mobility[static_cast<std::size_t>(lung)] = {1, 1, 1};
   model.focal_forces = {{lung, {0, 0, 1}, PiecewiseLinear({{0.0, 100.0}})}};

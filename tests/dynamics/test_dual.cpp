@@ -36,7 +36,7 @@ double largest_of(const std::vector<double>& values) {
 
 }  // namespace
 
-TEST_CASE("Every operation of a dual has the derivative of the calculus", "[property][math]") {
+TEST_CASE("Every operation of a dual has the derivative of calculus", "[property][math]") {
   Random random(61);
   using D = Dual<2>;
   for (int i = 0; i < 100; ++i) {
@@ -55,8 +55,7 @@ TEST_CASE("Every operation of a dual has the derivative of the calculus", "[prop
   }
 }
 
-TEST_CASE("The derivatives of a whole breath are those of central differences",
-          "[property][dynamics][slow]") {
+TEST_CASE("The derivatives of a whole breath agree with central differences", "[property][dynamics][slow]") {
   // Differences of size h = 1e-6 are wrong by h^2 and by round-off over h, 1e-16 / 1e-6, both grown by the
   // length of the breath; observed: below 2e-6. The activation's corners must lie between two steps: at a
   // corner the derivative is that of one side, the difference the mean of both.

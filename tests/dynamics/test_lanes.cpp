@@ -15,7 +15,7 @@ namespace {
 
 using Four = Lanes<4>;
 
-/// All that evolves and all that is reported, in one lane.
+/// Everything that changes and everything that is reported, in one lane.
 template <Scalar S>
 void append_numbers(const State<S>& state, const StepReport<S>& report, int lane,
                     std::vector<double>& numbers) {
@@ -66,7 +66,7 @@ bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
   return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
 }
 
-/// Every lane against the same trial alone, to the bit.
+/// Compares every lane with the same trial alone, to the bit.
 void check_lanes(const Model& model, const std::vector<Trial<double>>& trials, const TimeGrid& grid) {
   const auto together = histories<Four>(model, trials, grid);
   for (std::size_t lane = 0; lane < together.size(); ++lane) {
@@ -83,7 +83,7 @@ void check_lanes(const Model& model, const std::vector<Trial<double>>& trials, c
   }
 }
 
-/// Four that differ in everything that may differ.
+/// Returns four trials that differ in everything that may differ.
 std::vector<Trial<double>> four_trials(const Scenario& scenario) {
   std::vector<Trial<double>> trials(4, {scenario.parameters, scenario.activation});
   for (std::size_t i = 0; i < trials.size(); ++i)
@@ -95,7 +95,7 @@ std::vector<Trial<double>> four_trials(const Scenario& scenario) {
 
 }  // namespace
 
-TEST_CASE("Every lane does what its trial does alone, to the bit", "[property][dynamics]") {
+TEST_CASE("Every lane has the bits of its trial alone", "[property][dynamics]") {
   for (const char* name : {"healthy", "published_healthy", "hemiparalysis_right"}) {
     Scenario scenario = shipped(name);
     scenario.activation.rise_s = 0.15;  // so that much moves, and supports come and go, in few steps
@@ -110,7 +110,7 @@ TEST_CASE("Lanes that fail do not disturb their neighbours", "[property][dynamic
   const Scenario scenario = shipped("healthy");
   auto trials = four_trials(scenario);
   trials[1].parameters.elasticity = 1e6;       // diverges
-  trials[2].parameters.muscle = std::nan("");  // never had a chance
+  trials[2].parameters.muscle = std::nan("");  // fails at once
   trials[3].parameters.elasticity = 1e300;     // overflows
   const Model model = make_trunk(scenario).model;
   check_lanes(model, trials, {1e-3, 0.1});
@@ -119,8 +119,10 @@ TEST_CASE("Lanes that fail do not disturb their neighbours", "[property][dynamic
   for (std::size_t lane : {1, 2, 3}) CHECK_FALSE(together[lane].ending.completed());
 }
 
-TEST_CASE("Searches for contacts end each in its own time, to the bit", "[property][constraints]") {
-  // From far off to round-off about rest, where any choice of contacts would do and a search may end by that.
+TEST_CASE("The search for contacts of each lane ends by itself, with the same bits",
+          "[property][constraints]") {
+  // From far away to round-off about rest. There, any choice of contacts is right, and a search may end by
+  // that.
   const double sizes[] = {1e-19, 1e-17, 1e-16, 1e-15, 1e-13, 1e-5, 3e-3, 15e-3};
   Random random(57);
   const Model model = make_template_trunk({}, {}, Reaction::variational).model;

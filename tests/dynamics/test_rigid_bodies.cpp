@@ -63,7 +63,7 @@ double energy_drift(double dt_s) {
 
 }  // namespace
 
-TEST_CASE("A body left alone keeps its angular momentum to the bit and its shape to round-off",
+TEST_CASE("A body without forces keeps its angular momentum to the bit and its shape to round-off",
           "[property][dynamics]") {
   const Model model = rigid_box();
   State<double> state = rest_state<double>(model);
@@ -73,7 +73,7 @@ TEST_CASE("A body left alone keeps its angular momentum to the bit and its shape
   for (int n = 0; n < 2000; ++n) step(model, undamped, 0.0, state, w);
   CHECK(norm(state.body[0].angular_momentum - momentum) < 1e-16);
   CHECK(stretched(model, first(8), state.position) < 1e-14);
-  CHECK(norm(state.position[0] - model.rest[0]) > 0.01);  // it did tumble
+  CHECK(norm(state.position[0] - model.rest[0]) > 0.01);  // it does tumble
   CHECK(norm(state.body[0].pose.centre) < 1e-15);
 }
 
@@ -85,7 +85,7 @@ TEST_CASE("The energy of a tumbling body is kept to first order of the time step
   CHECK(order == Approx(1.0).margin(0.25));
 }
 
-TEST_CASE("Weight makes a body fall, a force beside its centre also turns it", "[unit][dynamics]") {
+TEST_CASE("Weight makes a body fall, and a force beside its centre also turns it", "[unit][dynamics]") {
   Model model = rigid_box();
   model.gravity = {0, 0, -9.81};
   State<double> state = rest_state<double>(model);
@@ -105,7 +105,8 @@ TEST_CASE("Weight makes a body fall, a force beside its centre also turns it", "
   CHECK(norm(state.body[0].velocity - Vec3d{0, 0, 1e-3 * 0.01 / 1.6}) < 1e-18);
 }
 
-TEST_CASE("Damping slows a body's fall and its turn as it does single particles", "[unit][dynamics]") {
+TEST_CASE("Damping slows the fall and the rotation of a body like that of single particles",
+          "[unit][dynamics]") {
   const Parameters<double> damped{0.0, 0.0, 4.0};
   const Model model = rigid_box();
   State<double> state = rest_state<double>(model);
@@ -117,7 +118,7 @@ TEST_CASE("Damping slows a body's fall and its turn as it does single particles"
   CHECK(state.body[0].angular_momentum.z() == Approx(1e-3 / (1.0 + 1e-3 * 4.0 / 0.2)).epsilon(1e-12));
 }
 
-TEST_CASE("A rigid part of an elastic body: momentum and angular momentum of the whole stay",
+TEST_CASE("An elastic body with a rigid part keeps its momentum and its angular momentum",
           "[property][dynamics]") {
   Random random(71);
   const Mesh mesh = icosphere(0.1, 1);
@@ -137,7 +138,7 @@ TEST_CASE("A rigid part of an elastic body: momentum and angular momentum of the
     return std::pair{linear, angular};
   };
   double moved = 0.0;
-  std::pair<double, double> sizes{0.0, 0.0};  // what has been exchanged
+  std::pair<double, double> sizes{0.0, 0.0};  // sizes of the exchanged momenta
   for (int n = 0; n < 500; ++n) {
     step(model, undamped, 0.0, state, w);
     sizes.first += model.bodies[0].mass * norm(state.body[0].velocity);
@@ -149,11 +150,12 @@ TEST_CASE("A rigid part of an elastic body: momentum and angular momentum of the
                    << sizes.second);
   CHECK(norm(linear) < 1e-12 * sizes.first);
   CHECK(norm(angular) < 1e-12 * sizes.second);
-  CHECK(moved > 1e-6);  // the body did take part
+  CHECK(moved > 1e-6);  // the body does move
   CHECK(stretched(model, first(7), state.position) < 1e-14);
 }
 
-TEST_CASE("A free body in a held volume: both hold to round-off", "[property][dynamics]") {
+TEST_CASE("A free body in a held volume keeps its shape, and the volume is held, to round-off",
+          "[property][dynamics]") {
   Scenario scenario = shipped("healthy");
   scenario.time.duration_s = 2.5;
   scenario.rigid = {{"central_tendon", RigidBody::Motion::free, {}, "", "here"}};
@@ -174,7 +176,7 @@ TEST_CASE("A free body in a held volume: both hold to round-off", "[property][dy
   CHECK(stretch < 1e-13);
 }
 
-TEST_CASE("A driven body goes where it is told, with what it carries", "[unit][dynamics]") {
+TEST_CASE("A driven body follows its course with its particles", "[unit][dynamics]") {
   Model model = free_body(box(0.2, 0.1, 0.15), Reaction::variational, 0.2);
   RigidBody body;
   body.name = "hinged";
@@ -195,7 +197,7 @@ TEST_CASE("A driven body goes where it is told, with what it carries", "[unit][d
   }
 }
 
-TEST_CASE("What a rigid component cannot be is refused", "[unit][dynamics]") {
+TEST_CASE("An impossible rigid component is refused", "[unit][dynamics]") {
   Model model = free_body(box(0.2, 0.1, 0.15), Reaction::variational, 0.2);
   CHECK_THROWS_WITH(carry(free_rigid({0, 1}), model), Contains("on a line"));
   CHECK_THROWS_WITH(carry(free_rigid({}), model), Contains("carries no particle"));

@@ -84,8 +84,7 @@ TEST_CASE("Volume and pressure converge with the time step, with order about 1",
   }
 }
 
-TEST_CASE("Just below the stability bound a run completes, above it it does not",
-          "[property][dynamics][slow]") {
+TEST_CASE("A run completes just below the stability bound and fails above it", "[property][dynamics][slow]") {
   for (const char* name : {"healthy", "published_healthy", "hemiparalysis_right"})
     for (const double damping : {0.5, 20.0, 200.0}) {
       const Scenario scenario = shipped(name);
@@ -105,7 +104,7 @@ TEST_CASE("Just below the stability bound a run completes, above it it does not"
     }
 }
 
-TEST_CASE("The time step chosen is stable and shows the volume of 0.25 ms within 0.1 %",
+TEST_CASE("The chosen time step is stable and its volume is within 0.1 % of that of 0.25 ms",
           "[property][dynamics][slow]") {
   struct Expected {
     const char* name;
@@ -141,7 +140,7 @@ TEST_CASE("The time step chosen is stable and shows the volume of 0.25 ms within
   }
 }
 
-TEST_CASE("Stiffer and finer models, and faster breaths, are given shorter steps", "[property][dynamics]") {
+TEST_CASE("Stiffer and finer models, and faster breaths, get shorter steps", "[property][dynamics]") {
   Scenario stiff = shipped("healthy");
   stiff.parameters.elasticity *= 100.0;  // stable below 0.6 ms
   stiff.parameters.muscle *= 100.0;
@@ -169,12 +168,11 @@ TEST_CASE("Stiffer and finer models, and faster breaths, are given shorter steps
       apart = std::max(apart, std::abs(chosen[n] - exact[8 * n]));
     const double error = apart / *std::max_element(exact.begin(), exact.end());
     CHECK(error < auto_time_step_tolerance);
-    CHECK(error < 2.0 * choice.estimated_error);  // and no less is said
+    CHECK(error < 2.0 * choice.estimated_error);  // the estimate is not too small
   }
 }
 
-TEST_CASE("A model without stiffness, whose step nothing bounds, is given one all the same",
-          "[unit][dynamics]") {
+TEST_CASE("A model without stiffness gets a time step, although nothing bounds it", "[unit][dynamics]") {
   Scenario loose = shipped("published_healthy");
   loose.parameters.elasticity = loose.parameters.muscle = 0.0;
   const Trunk trunk = make_trunk(loose);
@@ -183,15 +181,15 @@ TEST_CASE("A model without stiffness, whose step nothing bounds, is given one al
   CHECK(choice.grid.dt_s <= 8e-3);
 }
 
-TEST_CASE("Where no step will do, that is said", "[unit][dynamics]") {
+TEST_CASE("The error is infinite if no step is good enough", "[unit][dynamics]") {
   const Scenario s = shipped("healthy");
   const Model model = make_trunk(s).model;
   Parameters<double> repelled = s.parameters;
-  repelled.elasticity *= -1.0;  // pushed farther from where it should be
+  repelled.elasticity *= -1.0;  // particles are pushed away from their rest shape
   CHECK(std::isinf(auto_time_step(model, repelled, s.activation, 0.2).estimated_error));
 }
 
-TEST_CASE("Centred damping leaves less than a tenth of the error where nothing touches",
+TEST_CASE("Without contact, centred damping leaves less than a tenth of the error",
           "[property][dynamics][slow]") {
   const auto error_at_4_ms = [](Damping damping) {
     Scenario scenario = shipped("published_healthy");
@@ -204,7 +202,7 @@ TEST_CASE("Centred damping leaves less than a tenth of the error where nothing t
   CHECK(centred < 0.1 * implicit);
 }
 
-TEST_CASE("The stability bound of one spring is the textbook's", "[unit][dynamics]") {
+TEST_CASE("The stability bound of one spring is that of the textbook", "[unit][dynamics]") {
   // Two equal masses joined by a fibre: w^2 = 2 k / m, dt < (g + sqrt(g^2 + 4 w^2)) / w^2 with g = c / m.
   Model model = free_body(tetrahedron(0.1), Reaction::variational, 0.5);
   model.fibres = {{0, 1, 1.0}};

@@ -19,7 +19,7 @@ TEST_CASE("Gravity sets every force to the weight of its particle", "[unit][forc
   }
 }
 
-TEST_CASE("A focal force acts on its particle, along its direction, as large as its time says",
+TEST_CASE("A focal force acts on its particle along its direction, and its size follows its course in time",
           "[unit][forces]") {
   const std::vector<FocalForce> forces{{1, {0, 3, 4}, PiecewiseLinear({{1.0, 0.0}, {2.0, 2.0}})}};
   const auto at = [&](double time_s) {

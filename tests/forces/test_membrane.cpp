@@ -64,7 +64,7 @@ TEST_CASE("Membrane forces are the negative gradient of the springs' energy", "[
   }
 }
 
-TEST_CASE("A membrane at rest pulls nowhere, also when moved as a whole, and turns with what it is on",
+TEST_CASE("A membrane at rest has no force, also after a rigid motion, and its forces turn with it",
           "[property][forces]") {
   Random random(82);
   for (const Mesh& mesh : closed_meshes()) {
@@ -86,7 +86,7 @@ TEST_CASE("A membrane at rest pulls nowhere, also when moved as a whole, and tur
   }
 }
 
-TEST_CASE("A membrane neither pushes nor turns the whole", "[property][forces]") {
+TEST_CASE("The forces of a membrane sum to zero and so do their torques", "[property][forces]") {
   Random random(83);
   for (const Mesh& mesh : closed_meshes()) {
     INFO(mesh.name);
@@ -97,17 +97,17 @@ TEST_CASE("A membrane neither pushes nor turns the whole", "[property][forces]")
   }
 }
 
-TEST_CASE("A spring of the membrane pulls when longer and pushes when shorter, as stiff as it says",
+TEST_CASE("A spring of the membrane pulls when longer and pushes when shorter, with its stiffness",
           "[unit][forces]") {
   const std::vector<MembraneEdge> edge{{0, 1, 0.1, 200.0}};
   CHECK(norm(forces(edge, {{0, 0, 0}, {0.15, 0, 0}})[0] - Vec3d{10, 0, 0}) < 1e-12);
   CHECK(norm(forces(edge, {{0, 0, 0}, {0, 0.05, 0}})[1] - Vec3d{0, 10, 0}) < 1e-12);
   std::vector<Vec3d> force(2, Vec3d{1, 1, 1});
   add_membrane<double>(edge, std::vector<Vec3d>{{0, 0, 0}, {0.15, 0, 0}}, force);
-  CHECK(norm(force[0] - Vec3d{11, 1, 1}) < 1e-12);  // added to what is there
+  CHECK(norm(force[0] - Vec3d{11, 1, 1}) < 1e-12);  // added to the forces that are there
 }
 
-TEST_CASE("The trunk has a spring on every edge of abdomen and diaphragm where asked for, else none",
+TEST_CASE("With a membrane the trunk has a spring on every edge of abdomen and diaphragm, else none",
           "[unit][forces]") {
   Scenario scenario = shipped("healthy");
   CHECK(make_trunk(scenario).model.membrane.empty());

@@ -27,7 +27,7 @@ double muscle_energy(const std::vector<Fibre>& fibres, double stiffness, const s
 
 }  // namespace
 
-TEST_CASE("A fibre draws each end to the other", "[unit][forces]") {
+TEST_CASE("A fibre pulls each end to the other", "[unit][forces]") {
   const auto force = muscle_forces({{0, 1, 1.0}}, 30.0, {{0, 0, 0}, {0, 0, 0.1}, {5, 5, 5}});
   CHECK(force[0].z() == Approx(3.0));
   CHECK(force[1].z() == Approx(-3.0));
@@ -35,7 +35,7 @@ TEST_CASE("A fibre draws each end to the other", "[unit][forces]") {
   CHECK(norm(force[2]) == 0.0);
 }
 
-TEST_CASE("A paralysed fibre does not pull, a half active one pulls half", "[unit][forces]") {
+TEST_CASE("A paralysed fibre does not pull, and a half active one pulls half as much", "[unit][forces]") {
   const std::vector<Vec3d> x{{0, 0, 0}, {0.1, 0, 0}};
   CHECK(largest(muscle_forces({{0, 1, 0.0}}, 30.0, x)) == 0.0);
   CHECK(largest(muscle_forces({{0, 1, 0.5}}, 30.0, x)) == Approx(1.5));

@@ -21,7 +21,7 @@ std::vector<Vec3d> forces(const std::vector<Triangle>& triangles, const Piecewis
 
 }  // namespace
 
-TEST_CASE("A pressure pushes a triangle against the side it faces, a third of area times pressure a corner",
+TEST_CASE("A pressure pushes each corner of a triangle with a third of the area times the pressure",
           "[unit][forces]") {
   const std::vector<Vec3d> x{{0, 0, 0}, {0.2, 0, 0}, {0, 0.3, 0}, {1, 1, 1}};  // faces up
   const auto force = forces({{0, 1, 2}}, constant(100.0), x);
@@ -29,7 +29,7 @@ TEST_CASE("A pressure pushes a triangle against the side it faces, a third of ar
   CHECK(norm(force[3]) == 0.0);
 }
 
-TEST_CASE("A pressure follows its course in time and adds to what is there", "[unit][forces]") {
+TEST_CASE("A pressure follows its course in time and adds to other forces", "[unit][forces]") {
   const std::vector<Vec3d> x{{0, 0, 0}, {0.2, 0, 0}, {0, 0.3, 0}};
   const PiecewiseLinear course({{1.0, 0.0}, {2.0, 100.0}});
   CHECK(largest(forces({{0, 1, 2}}, course, x, 0.5)) == 0.0);
@@ -90,7 +90,7 @@ TEST_CASE("A pressure follows the surface as it turns", "[property][forces]") {
   CHECK(largest(difference(forces(some, constant(1000.0), moved), turned)) < 1e-12 * size);
 }
 
-TEST_CASE("A pressure on the abdominal wall empties no lung and pushes the diaphragm up",
+TEST_CASE("A pressure on the abdominal wall pushes the diaphragm up and leaves air in the lung",
           "[property][forces]") {
   Scenario scenario = shipped("healthy");
   scenario.parameters.muscle = 0.0;

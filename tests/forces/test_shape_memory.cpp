@@ -9,7 +9,7 @@ using namespace trunk::test;
 
 namespace {
 
-/// An elastic body, every ring with its own stiffness, and a shape it has been brought into.
+/// An elastic body with a stiffness for each ring, and a deformed shape of it.
 struct Body {
   std::string name;
   ShapeMemory memory;
@@ -81,7 +81,7 @@ TEST_CASE("Variational shape-memory forces are the negative gradient of their en
   for (const Body& body : bodies(Reaction::variational, random)) {
     const std::vector<Vec3d> force = body.forces();
     const double scale = largest(force);
-    REQUIRE(scale > 1.0);  // N: something is there to compare
+    REQUIRE(scale > 1.0);  // N: the forces are large enough to compare
     for (std::size_t i = 0; i < force.size(); ++i) {
       const double error = norm(force[i] - downhill(body, i)) / scale;
       CAPTURE(body.name, i, error, scale);
@@ -93,7 +93,7 @@ TEST_CASE("Variational shape-memory forces are the negative gradient of their en
 }
 
 TEST_CASE("Published shape-memory forces are no gradient of that energy", "[property][forces]") {
-  // Guards the test above: it can tell the two reactions apart.
+  // This guards the test above: the test can distinguish the two reactions.
   Random random(21);
   const Body body = bodies(Reaction::published, random).back();
   const std::vector<Vec3d> force = body.forces();
@@ -155,7 +155,7 @@ TEST_CASE("Both reactions pull the particle itself alike", "[unit][forces]") {
   }
 }
 
-TEST_CASE("The rest shape is an equilibrium, wherever it is and however it is turned", "[property][forces]") {
+TEST_CASE("The rest shape is an equilibrium at any place and in any direction", "[property][forces]") {
   Random random(25);
   for (const Reaction reaction : {Reaction::variational, Reaction::published})
     for (const Body& body : bodies(reaction, random)) {
@@ -182,7 +182,7 @@ TEST_CASE("Shape-memory energy ignores rigid motion and the forces turn with it"
     }
 }
 
-TEST_CASE("Forces are added to what is there", "[unit][forces]") {
+TEST_CASE("Forces are added to those that are there", "[unit][forces]") {
   Random random(27);
   const Body body = bodies(Reaction::variational, random).front();
   std::vector<Vec3d> force(body.position.size(), Vec3d{1, 2, 3});

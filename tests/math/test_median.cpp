@@ -11,7 +11,7 @@ TEST_CASE("Both medians of an odd number of values are the middle one", "[unit][
   CHECK(upper_median({9.0, -1.0, 4.0}) == 4.0);
 }
 
-TEST_CASE("Of an even number of values, median takes the mean of the middle two, upper_median the larger",
+TEST_CASE("For an even number of values, median is the mean of the middle two and upper_median the larger",
           "[unit][math]") {
   CHECK(median({8.0, 1.0, 3.0, 2.0}) == 2.5);
   CHECK(upper_median({8.0, 1.0, 3.0, 2.0}) == 3.0);

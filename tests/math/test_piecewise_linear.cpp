@@ -15,7 +15,7 @@ TEST_CASE("A piecewise linear value passes through its events and is linear betw
   CHECK(curve(3.0) == Approx(3.0));
 }
 
-TEST_CASE("Ahead of its events the value is `before`, after them the last", "[unit][math]") {
+TEST_CASE("The value is `before` ahead of the events and the last one after them", "[unit][math]") {
   const PiecewiseLinear curve({{1.0, 2.0}, {2.0, 6.0}}, -7.0);
   CHECK(curve(std::nextafter(1.0, 0.0)) == -7.0);
   CHECK(curve(-1e9) == -7.0);
@@ -23,7 +23,7 @@ TEST_CASE("Ahead of its events the value is `before`, after them the last", "[un
   CHECK(curve(1e9) == 6.0);
 }
 
-TEST_CASE("A single event is a step, no event is `before`", "[unit][math]") {
+TEST_CASE("A single event makes a step; without events the value is `before`", "[unit][math]") {
   const PiecewiseLinear step({{1.0, 2.0}});
   CHECK(step(0.5) == 0.0);
   CHECK(step(1.0) == 2.0);
@@ -32,7 +32,7 @@ TEST_CASE("A single event is a step, no event is `before`", "[unit][math]") {
   CHECK(PiecewiseLinear().empty());
 }
 
-TEST_CASE("Between events the value is continuous", "[property][math]") {
+TEST_CASE("The value is continuous between events", "[property][math]") {
   const PiecewiseLinear curve({{0.0, 0.0}, {1.0, 5.0}, {1.5, -5.0}, {9.0, 3.0}});
   const double steepest = 20.0, dt = 1e-4;
   for (double t = 0.0; t < 10.0; t += dt) {
@@ -41,7 +41,7 @@ TEST_CASE("Between events the value is continuous", "[property][math]") {
   }
 }
 
-TEST_CASE("Event times that do not increase are refused with both times", "[unit][math]") {
+TEST_CASE("Event times that do not increase are refused, and the error names both", "[unit][math]") {
   CHECK_THROWS_AS(PiecewiseLinear({{1.0, 0.0}, {1.0, 1.0}}), InputError);
   CHECK_THROWS_WITH(PiecewiseLinear({{2.5, 0.0}, {1.25, 1.0}}), Contains("1.25") && Contains("2.5"));
   CHECK_THROWS_AS(PiecewiseLinear({{0.0, 0.0}, {std::nan(""), 1.0}}), InputError);

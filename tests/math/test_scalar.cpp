@@ -8,7 +8,7 @@ using namespace trunk::test;
 
 namespace {
 
-/// The breath in another scalar, all positions at its end as double.
+/// Returns all positions at the end of a breath that is simulated in another scalar, as double.
 template <Scalar S>
 std::vector<Vec3d> positions_after(const Scenario& scenario, int steps) {
   const auto& p = scenario.parameters;
@@ -33,7 +33,7 @@ std::vector<Vec3d> positions_after(const Scenario& scenario, int steps) {
 }  // namespace
 
 TEST_CASE("The kernel in long double agrees with double to round-off", "[property][dynamics][slow]") {
-  // Shows that the kernel's scalar is a template in fact, and bounds the round-off of double.
+  // This shows that the kernel takes any scalar, and it bounds the round-off of double.
   for (const char* name : {"healthy", "hemiparalysis_right", "published_healthy"}) {
     Scenario scenario = shipped(name);
     scenario.activation.rise_s = 0.3;  // so that much moves in few steps
@@ -45,7 +45,7 @@ TEST_CASE("The kernel in long double agrees with double to round-off", "[propert
     CAPTURE(moved, apart);
     REQUIRE(moved > 1e-3);
     CHECK(apart < 1e-12);
-    CHECK(apart > 0.0);  // it was not double all along
+    CHECK(apart > 0.0);  // the scalar was not double
     WARN(name << ": after 500 steps long double and double are " << apart << " m apart, " << moved
               << " m moved");
   }

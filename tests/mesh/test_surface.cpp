@@ -126,7 +126,7 @@ TEST_CASE("The ring table visits every one-ring once, whole and in order", "[pro
   }
 }
 
-TEST_CASE("A ring table contains rings wherever they begin, and no others", "[unit][mesh]") {
+TEST_CASE("A ring table contains its rings from any beginning, and no others", "[unit][mesh]") {
   for (const Mesh& mesh : closed_meshes()) {
     INFO(mesh.name);
     const Surface surface = mesh.surface();

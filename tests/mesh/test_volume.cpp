@@ -137,7 +137,7 @@ TEST_CASE("Fans take every triangle once, and their volume is that of the triang
   CHECK(fans({}).size() == 0);
 }
 
-TEST_CASE("The area along moving corners is the area where they are", "[unit][mesh]") {
+TEST_CASE("The area along moving corners is the area at their new places", "[unit][mesh]") {
   Random random(15);
   for (const std::size_t corners : {4U, 6U, 8U}) {
     std::vector<Vec3d> n, d;

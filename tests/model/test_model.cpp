@@ -87,7 +87,7 @@ TEST_CASE("A shape memory that is incomplete or has no frame is refused", "[unit
              Contains("stiffness factor of -1"));
 }
 
-TEST_CASE("What acts on particles that do not exist is refused", "[unit][model]") {
+TEST_CASE("Loads, fibres and springs on particles that do not exist are refused", "[unit][model]") {
   CHECK_THAT(message_after([](Model& m) { m.fibres.push_back({0, 8, 1.0}); }), Contains("fibre 0-8"));
   CHECK_THAT(message_after([](Model& m) { m.fibres.push_back({-1, 0, 1.0}); }), Contains("fibre -1-0"));
   CHECK_THAT(message_after([](Model& m) { m.fibres.push_back({2, 2, 1.0}); }), Contains("fibre 2-2"));

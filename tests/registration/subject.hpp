@@ -11,7 +11,7 @@
 
 namespace trunk::test {
 
-/// A subject that is known: a trunk, deformed by a smooth map, and where each of its particles then is.
+/// A known subject: a trunk deformed by a smooth map, with the true place of each particle.
 struct KnownSubject {
   TrunkMesh trunk;            // the template, to be registered
   std::vector<Vec3d> truth;   // [particles] m
@@ -24,7 +24,8 @@ struct SubjectOptions {
   int parts = 6;
 };
 
-/// Wider, flatter, higher on the right, bent: up to about 15 mm.
+/// Returns the place of a point after the map: wider, flatter, higher on the right, bent by up to about 15
+/// mm.
 inline Vec3d bent(const Vec3d& p) {
   const double right = dot(p - Vec3d{0.07, 0.0, 0.42}, p - Vec3d{0.07, 0.0, 0.42}) / (0.06 * 0.06);
   return {1.03 * p.x() + 0.005 * std::sin(p.z() / 0.08), 0.96 * p.y() + 0.004 * std::cos(p.x() / 0.06),
@@ -72,14 +73,14 @@ inline KnownSubject known_subject(const SubjectOptions& options) {
   return subject;
 }
 
-/// Nearly normal noise of that standard deviation in every coordinate, m.
+/// Adds nearly normal noise with a standard deviation in m to every coordinate.
 inline void add_noise(MeasuredSurface& surface, double deviation) {
   Random random(7);
   for (Vec3d& p : surface.points)
     for (int sum = 0; sum < 4; ++sum) p += random.vector(0.5 * std::sqrt(3.0) * deviation);
 }
 
-/// Keeps the triangles whose middle is wanted.
+/// Keeps the triangles whose middle is wanted, and returns the share of dropped triangles.
 template <class Wanted>
 double keep(MeasuredSurface& surface, Wanted&& wanted) {
   std::vector<Triangle> kept;
@@ -99,7 +100,7 @@ inline Registration registered(const KnownSubject& subject, SubjectMeasurements 
   return register_trunk(subject.trunk, targets, [](int, int) {});
 }
 
-/// Of the diaphragm's particles from where they ought to be, and from the true surface, m.
+/// Distances of the diaphragm's particles from their true places and from the true surface, m.
 struct PointErrors {
   Distances point, surface;
 };

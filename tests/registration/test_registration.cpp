@@ -16,7 +16,7 @@ Vec3d mean_of(const TrunkMesh& mesh, const char* name) {
   return (1.0 / static_cast<double>(mesh.named(name).size())) * sum;
 }
 
-/// What holds of every registered trunk.
+/// Checks what holds for every registered trunk.
 void require_a_trunk(const Registration& found, const TrunkMesh& before) {
   CHECK(found.quality.sound());
   CHECK(found.mesh.abdomen == before.abdomen);
@@ -60,7 +60,7 @@ TEST_CASE("A similarity is found again from its points", "[unit][registration]")
   }
 }
 
-TEST_CASE("Actuators that turn the whole trunk meet no resistance, others their balance",
+TEST_CASE("Actuators that turn the whole trunk meet no resistance; others find a balance",
           "[property][registration]") {
   const TrunkMesh mesh = make_template_mesh({});
   const std::vector<double> one(mesh.rest.size(), 4000.0), none(mesh.rest.size(), 0.0);
@@ -75,7 +75,7 @@ TEST_CASE("Actuators that turn the whole trunk meet no resistance, others their 
   const std::vector<Vec3d> turned = balance.relaxed(mesh.rest, actuators, 200);
   for (std::size_t i = 0; i < turned.size(); ++i) CHECK(norm(turned[i] - rigid(mesh.rest[i])) < 1e-4);
 
-  // One particle drawn apart from the others: shape memory holds against it.
+  // One particle is pulled away from the others, and shape memory resists.
   actuators.assign(1, {{0, 0, 0}, {1.0, 0.0, 0.0}, mesh.rest[0] + Vec3d{0.0, 0.0, -0.05}, 500.0});
   for (int i = 1; i < 113; ++i) actuators.push_back({{i, i, i}, {1.0, 0.0, 0.0}, mesh.rest[at(i)], 100.0});
   const std::vector<Vec3d> drawn = balance.relaxed(mesh.rest, actuators, 60);
@@ -85,7 +85,7 @@ TEST_CASE("Actuators that turn the whole trunk meet no resistance, others their 
   CHECK(largest(difference(balance.relaxed(drawn, actuators, 1), drawn)) < 1e-6);
 }
 
-TEST_CASE("An actuator that draws along one direction lets its point slide across it",
+TEST_CASE("An actuator that pulls along one direction lets its point slide across it",
           "[unit][registration]") {
   const LinearActuator slides{{0, 1, 2}, {0.5, 0.5, 0.0}, {1.0, 2.0, 3.0}, 1.0, {0.0, 0.0, 1.0}};
   const std::vector<Vec3d> position{{0, 0, 0}, {0, 0, 2}, {5, 5, 5}};
@@ -96,7 +96,7 @@ TEST_CASE("An actuator that draws along one direction lets its point slide acros
   for (const auto* triangles : {&mesh.abdomen, &mesh.lung})
     balance.add(
         make_shape_memory(Surface("trunk", *triangles, 113), mesh.rest, one, none, Reaction::variational));
-  // All particles are drawn up by 0.02 and, by three of them, forward by 0.01; nothing draws to the right.
+  // All particles are pulled up by 0.02, and three of them forward by 0.01; nothing pulls to the right.
   std::vector<LinearActuator> actuators;
   for (int i = 0; i < 113; ++i)
     actuators.push_back(
@@ -134,7 +134,7 @@ TEST_CASE("The border of an open surface is known", "[unit][registration]") {
   CHECK_FALSE(target.on_border(target.closest({0.5, 0.5, 1.0})));  // on the diagonal, which two share
 }
 
-TEST_CASE("Triangles that folded or shrank to slivers are seen", "[unit][registration]") {
+TEST_CASE("Triangles that fold or become slivers are found", "[unit][registration]") {
   const TrunkMesh mesh = make_template_mesh({});
   CHECK(mesh_quality(mesh, mesh.rest).sound());
   CHECK(mesh_quality(mesh, mesh.rest).smallest_angle > 15 * rad_per_degree);
@@ -149,7 +149,7 @@ TEST_CASE("Triangles that folded or shrank to slivers are seen", "[unit][registr
   CHECK_FALSE(mesh_quality(mesh, sliver).sound());
 }
 
-TEST_CASE("The costal insertion is the lower border where that is smooth", "[unit][registration]") {
+TEST_CASE("The costal insertion is the lower border if that is smooth", "[unit][registration]") {
   const Vec3d centre{0.0, 0.0, 0.2}, right{0.15, 0.0, 0.0}, front{0.0, 0.1, 0.0}, left{-0.15, 0.0, 0.0};
   const auto line = [&](double (*height)(double)) {
     return InsertionLine(ring(720, height), centre, 0.15, 0.1, 0.15);
@@ -168,7 +168,7 @@ TEST_CASE("The costal insertion is the lower border where that is smooth", "[uni
   CHECK_FALSE(cut.beside(left));
   CHECK(cut.beside(right)->point.z() == Approx(0.2));
   CHECK(cut.height_beside(left) == Approx(0.2).margin(10 * m_per_mm));
-  // A narrow gap is bridged straight; the line is drawn to upward and outward, not along itself.
+  // The line goes straight across a narrow gap. It attracts upward and outward, not along itself.
   const InsertionLine notched =
       line([](double a) { return std::abs(a - 1.5 * std::numbers::pi) < 0.25 ? 0.35 : 0.2; });
   const Vec3d back{0.0, -0.1, 0.0};
@@ -178,7 +178,7 @@ TEST_CASE("The costal insertion is the lower border where that is smooth", "[uni
   CHECK(notched.beside(right)->upward.z() == Approx(1.0));
   CHECK(notched.beside(right)->outward.x() == Approx(1.0).margin(0.01));
   const InsertionLine high =
-      line([](double a) { return std::sin(a) > 0.5 ? 0.4 : 0.2; });  // no rib margin rises so
+      line([](double a) { return std::sin(a) > 0.5 ? 0.4 : 0.2; });  // no margin of the ribs rises so far
   CHECK_FALSE(high.beside(front));
   CHECK(high.height_beside(front) == Approx(0.2).margin(10 * m_per_mm));
 }
@@ -189,7 +189,7 @@ TEST_CASE("A known subject is found again, noisy and with a third of the surface
   struct Case {
     double scale, turn_degrees;
     Missing missing;
-    double point_rms;  // m: of particles from where they ought to be
+    double point_rms;  // m, of particles from their true places
   };
   for (const Case& c :
        {Case{1.2, 30.0, Missing::here_and_there, 3 * m_per_mm}, Case{0.8, -30.0, Missing::dome, 3 * m_per_mm},
@@ -220,7 +220,7 @@ TEST_CASE("A known subject is found again, noisy and with a third of the surface
   }
 }
 
-TEST_CASE("Volume, length and landmarks are what was asked for; the same comes out again",
+TEST_CASE("Volume, length and landmarks are the given ones, and a second run gives the same",
           "[slow][regression][registration]") {
   const KnownSubject subject = known_subject({1, 1.0, 0.0, 3});
   const Registration plain = registered(subject);
@@ -256,7 +256,7 @@ TEST_CASE("A finer trunk is registered as well", "[slow][regression][registratio
   CHECK(errors_of(subject, found).surface.rms < 2 * m_per_mm);
 }
 
-TEST_CASE("What no data show is carried along and said", "[slow][regression][registration]") {
+TEST_CASE("Regions without data move along and are reported", "[slow][regression][registration]") {
   KnownSubject subject = known_subject({1, 1.0, 0.0, 4});
   keep(subject.diaphragm, [](const Vec3d& p) { return p.z() > 0.46; });  // 0.36 of the trunk
   SubjectMeasurements targets;
@@ -272,7 +272,7 @@ TEST_CASE("What no data show is carried along and said", "[slow][regression][reg
     if (fit.to_target) CHECK(fit.to_target->rms <= fit.to_target_all->rms + 1e-12);
 }
 
-TEST_CASE("Closed lungs draw the domes and the lung's wall", "[slow][regression][registration]") {
+TEST_CASE("Closed lungs attract the domes and the lung's wall", "[slow][regression][registration]") {
   const KnownSubject subject = known_subject({1, 1.05, 10.0, 4});
   SubjectMeasurements targets;
   targets.lungs.push_back(refined(subject.truth, subject.trunk.lung, 4));
@@ -285,7 +285,7 @@ TEST_CASE("Closed lungs draw the domes and the lung's wall", "[slow][regression]
   CHECK(found.final.lung == Approx(truth).epsilon(0.03));
 }
 
-TEST_CASE("Ribs draw by their inner sides alone", "[slow][regression][registration]") {
+TEST_CASE("Only the inner sides of ribs attract", "[slow][regression][registration]") {
   const KnownSubject subject = known_subject({1, 1.0, 0.0, 2});
   SubjectMeasurements targets;
   targets.ribs = refined(subject.truth, rib_side_of(subject.trunk), 3);
@@ -299,7 +299,7 @@ TEST_CASE("Ribs draw by their inner sides alone", "[slow][regression][registrati
   CHECK(inner.fits.front().from_target->rms < 2 * m_per_mm);
 }
 
-TEST_CASE("Targets that cannot be used are refused in words", "[unit][registration]") {
+TEST_CASE("Measurements that cannot be used are refused", "[unit][registration]") {
   KnownSubject subject = known_subject({1, 1.0, 0.0, 1});
   CHECK_THROWS_WITH(register_trunk(subject.trunk, {}, [](int, int) {}),
                     Contains("no surface to register to"));

@@ -16,7 +16,7 @@ struct Soup {
   std::vector<Triangle> triangles;
 };
 
-/// Triangles anywhere, also such that are a point or a line.
+/// Returns triangles at random places. Some of them are a point or a line.
 Soup random_soup(std::size_t size, Random& random) {
   Soup soup;
   for (std::size_t i = 0; i < size; ++i) {
@@ -31,8 +31,8 @@ Soup random_soup(std::size_t size, Random& random) {
   return soup;
 }
 
-/// By trying weights, coarse ones and then finer ones around the best: nothing in common with the code under
-/// test.
+/// Returns the closest distance by a search over weights, first coarse and then fine. It shares nothing with
+/// the code under test.
 double searched_distance(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& p) {
   double best = HUGE_VAL, best_v = 0.0, best_w = 0.0;
   for (double step = 0.1; step > 1e-9; step *= 0.25) {
@@ -54,7 +54,7 @@ double searched_distance(const Vec3d& a, const Vec3d& b, const Vec3d& c, const V
 
 }  // namespace
 
-TEST_CASE("The closest point is that of an exhaustive search, of degenerate triangles too",
+TEST_CASE("The closest point is that of an exhaustive search, also on degenerate triangles",
           "[unit][surface]") {
   Random random(1);
   const Soup soup = random_soup(40, random);
@@ -70,7 +70,7 @@ TEST_CASE("The closest point is that of an exhaustive search, of degenerate tria
   }
 }
 
-TEST_CASE("The tree finds what one triangle after another finds", "[unit][surface]") {
+TEST_CASE("The tree finds the same point as a search through all triangles", "[unit][surface]") {
   Random random(2);
   const Soup soup = random_soup(500, random);
   const ClosestPoints closest(soup.points, soup.triangles);
@@ -93,7 +93,7 @@ TEST_CASE("The tree finds what one triangle after another finds", "[unit][surfac
   }
 }
 
-TEST_CASE("A surface of nothing, or of corners that are not there, is refused", "[unit][surface]") {
+TEST_CASE("A surface without triangles, or with corners that do not exist, is refused", "[unit][surface]") {
   const std::vector<Vec3d> points(3);
   CHECK_THROWS_WITH(ClosestPoints(points, {}), Contains("without triangles"));
   const std::vector<Triangle> beyond{{0, 1, 3}}, negative{{0, -1, 2}};
@@ -101,7 +101,7 @@ TEST_CASE("A surface of nothing, or of corners that are not there, is refused", 
   CHECK_THROWS_AS(ClosestPoints(points, negative), InputError);
 }
 
-TEST_CASE("The sign of a distance tells inside from outside", "[unit][surface]") {
+TEST_CASE("The sign of a distance is negative inside and positive outside", "[unit][surface]") {
   Random random(3);
   const Mesh ball = icosphere(0.1, 2);
   const SignedDistance to_ball(ball.position, ball.triangles);
@@ -117,7 +117,8 @@ TEST_CASE("The sign of a distance tells inside from outside", "[unit][surface]")
 }
 
 TEST_CASE("Beside a sharp edge the sign is not that of the nearest face by chance", "[unit][surface]") {
-  // A tetrahedron's edges are sharper than a right angle: beyond one, a point lies behind one of its faces.
+  // The edges of a tetrahedron are sharper than a right angle: a point beyond one lies behind one of its
+  // faces.
   Random random(4);
   const Mesh sharp = tetrahedron(0.1);
   const SignedDistance to_sharp(sharp.position, sharp.triangles);
@@ -132,7 +133,7 @@ TEST_CASE("Beside a sharp edge the sign is not that of the nearest face by chanc
   }
 }
 
-TEST_CASE("Points are spread evenly over the area, whatever the triangles", "[unit][surface]") {
+TEST_CASE("Points are spread evenly over the area for any triangles", "[unit][surface]") {
   // A square cut into one large triangle and a fan of small ones.
   const Soup square{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.1, 0.5, 0}, {0.3, 0.4, 0}},
                     {{0, 1, 2}, {0, 2, 5}, {0, 5, 4}, {5, 2, 4}, {4, 2, 3}, {0, 4, 3}, {3, 3, 3}}};
@@ -148,7 +149,7 @@ TEST_CASE("Points are spread evenly over the area, whatever the triangles", "[un
   CHECK(spread_over(square.points, std::span(square.triangles).last(1), 100).empty());
 }
 
-TEST_CASE("Distances between spheres are those of their radii", "[unit][surface]") {
+TEST_CASE("Distances between spheres are the differences of their radii", "[unit][surface]") {
   const Mesh inner = icosphere(0.10, 4), outer = icosphere(0.11, 4);
   const ClosestPoints to(outer.position, outer.triangles);
   const Distances d = distances(inner.position, inner.triangles, to, 2000);

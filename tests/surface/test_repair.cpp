@@ -19,7 +19,7 @@ MeasuredSurface measured(const Mesh& mesh) {
   return {mesh.name, mesh.position, mesh.triangles};
 }
 
-/// As STL has it: every triangle with points of its own.
+/// Returns the surface as in STL: every triangle has points of its own.
 MeasuredSurface soup_of(const Mesh& mesh) {
   MeasuredSurface s;
   for (const Triangle& t : mesh.triangles) {
@@ -94,7 +94,7 @@ TEST_CASE("Triangles with points of their own become a closed surface again", "[
   }
 }
 
-TEST_CASE("What is of no use is dropped and counted", "[unit][surface]") {
+TEST_CASE("Useless points and triangles are dropped and counted", "[unit][surface]") {
   MeasuredSurface s = measured(icosphere(0.1, 2));
   const std::size_t triangles = s.triangles.size(), points = s.points.size();
   s.points.push_back({9, 9, 9});
@@ -113,7 +113,7 @@ TEST_CASE("What is of no use is dropped and counted", "[unit][surface]") {
   CHECK(report.closed());
 }
 
-TEST_CASE("Neighbours are made to agree, and a closed surface to face outward", "[unit][surface]") {
+TEST_CASE("Neighbours are turned to agree, and a closed surface faces outward", "[unit][surface]") {
   Random random(8);
   for (const Mesh& mesh : {icosphere(0.1, 2), torus(), star(), two_tetrahedra()}) {
     INFO(mesh.name);
@@ -135,8 +135,8 @@ TEST_CASE("Neighbours are made to agree, and a closed surface to face outward", 
   }
 }
 
-TEST_CASE("A one-sided surface is said to be so", "[unit][surface]") {
-  MeasuredSurface strip;  // Moebius'
+TEST_CASE("A one-sided surface is reported as such", "[unit][surface]") {
+  MeasuredSurface strip;  // a Moebius strip
   constexpr int rungs = 20;
   for (int i = 0; i < rungs; ++i) {
     const double angle = 2.0 * std::numbers::pi * i / rungs;
@@ -172,7 +172,7 @@ TEST_CASE("Holes, pieces and specks are counted", "[unit][surface]") {
   CHECK(report.pieces == 2);
 }
 
-TEST_CASE("A dome faces up, whichever way it came", "[unit][surface]") {
+TEST_CASE("A dome faces up, however it faced before", "[unit][surface]") {
   MeasuredSurface s = dome(8);
   const double area = upward_area(s);
   REQUIRE(area > 0.0);
@@ -183,7 +183,7 @@ TEST_CASE("A dome faces up, whichever way it came", "[unit][surface]") {
   CHECK_FALSE(report.two_sided());
 }
 
-TEST_CASE("Of a sheet with two sides the middle is taken", "[unit][surface]") {
+TEST_CASE("A sheet with two sides is replaced by its middle", "[unit][surface]") {
   const double thickness = 0.002;
   const MeasuredSurface outer = dome(20), inner = dome(20, thickness);
   MeasuredSurface turned = inner;
@@ -219,7 +219,7 @@ TEST_CASE("Of a sheet with two sides the middle is taken", "[unit][surface]") {
   CHECK(repair(ball).sheet_share == 0.0);
 }
 
-TEST_CASE("Axes are what their letters or coordinates say", "[unit][surface]") {
+TEST_CASE("Axes follow from letters or from coordinates", "[unit][surface]") {
   const Vec3d p{1, 2, 3};
   const auto same = [](const Vec3d& a, const Vec3d& b) { return norm(a - b) == 0.0; };
   CHECK(same(Axes("RAS")(p), {1, 2, 3}));
@@ -239,7 +239,7 @@ TEST_CASE("Axes are what their letters or coordinates say", "[unit][surface]") {
     CHECK_THROWS_AS(Axes(bad), InputError);
 }
 
-TEST_CASE("A dome tells its axes, whichever they are", "[unit][surface]") {
+TEST_CASE("The axes of a dome are found, whichever they are", "[unit][surface]") {
   const MeasuredSurface upright = dome(10);
   for (const char* letters : {"RAS", "LPS", "LSA", "PIR", "ASR", "SRA", "SAL"}) {
     REQUIRE_FALSE(Axes(letters).mirrors());
@@ -263,7 +263,7 @@ TEST_CASE("A dome tells its axes, whichever they are", "[unit][surface]") {
   }
   MeasuredSurface ball = measured(icosphere(0.1, 2));
   CHECK_FALSE(guess_axes(ball));
-  MeasuredSurface level = upright;  // a border of one height tells no front
+  MeasuredSurface level = upright;  // a border of one height does not show the front
   for (Vec3d& p : level.points) p += Vec3d(0.0, 0.0, -0.2 * p.y());
   const auto guess = guess_axes(level);
   REQUIRE(guess);
@@ -287,7 +287,7 @@ TEST_CASE("A moved surface is brought back", "[unit][surface]") {
   CHECK(worst < 0.005);  // iterated closest points creep along the surface
 }
 
-TEST_CASE("A surface thinned for looking keeps its shape", "[unit][surface]") {
+TEST_CASE("A surface thinned for display keeps its shape", "[unit][surface]") {
   const MeasuredSurface whole = measured(icosphere(0.1, 4));
   CHECK(thinned(whole, whole.triangles.size()).triangles == whole.triangles);
   const MeasuredSurface few = thinned(whole, 800);
