@@ -41,6 +41,20 @@ InputError::InputError(Mistake mistake) : InputError(std::vector<Mistake>{std::m
 InputError::InputError(Place at, std::string found, std::string expected, std::string remedy)
     : InputError(Mistake{std::move(at), std::move(found), std::move(expected), std::move(remedy), {}}) {}
 
+void rethrow_at(const Place& at, const InputError& error) {
+  std::vector<Mistake> mistakes = error.mistakes();
+  for (Mistake& mistake : mistakes)
+    if (mistake.at == Place{}) mistake.at = at;
+  throw InputErrors(std::move(mistakes));
+}
+
+void rethrow_named_in(const Place& named_in, const InputError& error) {
+  std::vector<Mistake> mistakes = error.mistakes();
+  for (Mistake& mistake : mistakes)
+    if (mistake.named_in == Place{}) mistake.named_in = named_in;
+  throw InputErrors(std::move(mistakes));
+}
+
 void Mistakes::add(Mistake mistake) {
   if (mistakes_.size() < most && std::find(mistakes_.begin(), mistakes_.end(), mistake) == mistakes_.end())
     mistakes_.push_back(std::move(mistake));

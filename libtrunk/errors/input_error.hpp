@@ -64,6 +64,13 @@ class InputErrors : public InputError {
   explicit InputErrors(std::vector<Mistake> mistakes) : InputError(std::move(mistakes)) {}
 };
 
+/// Throws `error` again, with `at` as the place of every mistake that has none.
+[[noreturn]] void rethrow_at(const Place& at, const InputError& error);
+
+/// Throws `error` again, with `named_in` as the place that names the file of every mistake. A mistake that
+/// knows this place already keeps it.
+[[noreturn]] void rethrow_named_in(const Place& named_in, const InputError& error);
+
 /// Gathers the mistakes of the parts of one pass, so that one mistake does not hide the next.
 class Mistakes {
  public:

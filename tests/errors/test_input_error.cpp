@@ -47,6 +47,22 @@ TEST_CASE("Mistakes are gathered once each and sorted by file and line", "[unit]
   }
 }
 
+TEST_CASE("An error that is thrown again gets a place and the file that names it", "[unit]") {
+  const Mistake placed{{"a.csv", 3}, "3 cells found", "2", "", {}}, unplaced{{}, "no lung", "", "", {}};
+  try {
+    rethrow_at({"s.toml", 7}, InputErrors({placed, unplaced}));
+  } catch (const InputError& error) {
+    REQUIRE(error.mistakes().size() == 2);
+    CHECK(error.mistakes()[0] == placed);
+    CHECK(error.mistakes()[1] == Mistake{{"s.toml", 7}, "no lung", "", "", {}});
+  }
+  try {
+    rethrow_named_in({"s.toml", 7}, InputError(placed));
+  } catch (const InputError& error) {
+    CHECK(text_of(error.mistake()) == "a.csv:3: 3 cells found; expected 2 (named in s.toml:7)");
+  }
+}
+
 TEST_CASE("Mistakes beyond what a user reads are dropped", "[unit]") {
   Mistakes mistakes;
   for (std::size_t line = 1; line <= 2 * Mistakes::most; ++line)
