@@ -17,8 +17,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void fail(const fs::path& path, const std::string& what, int error) {
-  throw InputError(path.string(), 0, what + ": " + std::strerror(error));
+[[noreturn]] void fail(const fs::path& path, const std::string& found, int error) {
+  throw InputError({path.string()}, found + ": " + std::strerror(error));
 }
 
 fs::path folder_of(const fs::path& path) {
@@ -66,7 +66,7 @@ class PartFile {
   int descriptor_ = -1;
 };
 
-/// Makes the rename itself last. Some network file systems cannot; the file is there all the same.
+/// Makes the rename survive a power cut. Some network file systems cannot; the file is stored all the same.
 void synchronise_folder(const fs::path& folder) {
   const int descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (descriptor < 0) return;
@@ -77,18 +77,21 @@ void synchronise_folder(const fs::path& folder) {
 }  // namespace
 
 void require_writable_output(const fs::path& path, bool force) {
-  const auto refuse = [&path](const std::string& text) { throw InputError(path.string(), 0, text); };
-  if (!path.has_filename()) refuse("is not the name of a file, expected one to write to");
+  const auto refuse = [&path](const std::string& found, const std::string& expected,
+                              const std::string& remedy) {
+    throw InputError({path.string()}, found, expected, remedy);
+  };
+  if (!path.has_filename()) refuse("is not the name of a file", "the name of a file to write", "");
   std::error_code error;
   const fs::file_status existing = fs::status(path, error);
   if (fs::exists(existing)) {
     // A rename would replace even a device.
-    if (!fs::is_regular_file(existing)) refuse("exists and is not a file, choose another name");
-    if (!force) refuse("exists already; use --force to replace it, or choose another name");
+    if (!fs::is_regular_file(existing)) refuse("exists and is not a file", "", "choose another name");
+    if (!force) refuse("exists already", "", "use --force to replace it, or choose another name");
   }
   const fs::file_status folder = fs::status(folder_of(path), error);
-  if (!fs::exists(folder)) refuse("its folder does not exist, create it first");
-  if (!fs::is_directory(folder)) refuse("what should be its folder is a file");
+  if (!fs::exists(folder)) refuse("its folder does not exist", "", "create the folder first");
+  if (!fs::is_directory(folder)) refuse("its folder is a file", "a folder", "choose another name");
   PartFile trial(path);
 }
 
@@ -96,7 +99,7 @@ void replace_file(const fs::path& path, std::span<const std::byte> bytes, std::s
   std::error_code error;
   const fs::file_status existing = fs::status(path, error);
   if (fs::exists(existing) && !fs::is_regular_file(existing)) {
-    throw InputError(path.string(), 0, "exists and is not a file, it cannot be replaced");
+    throw InputError({path.string()}, "exists and is not a file, so it cannot be replaced");
   }
   PartFile part(path);
   part.write_all(bytes);

@@ -7,17 +7,16 @@
 
 namespace trunk {
 
-/// To be called before any long work: makes sure that a result can be stored at `path` later.
-/// Throws InputError when the file exists (unless `force`) or is not a regular file, or when its
-/// folder is missing, not a folder or not writable. A file is created there for trial and removed.
+/// Checks that a result can be stored at `path` later. Call it before any long work. Throws InputError if the
+/// file exists (unless `force`) or is not a regular file, or if its folder is missing, not a folder or not
+/// writable. To test this, it creates a file in the folder and removes it.
 void require_writable_output(const std::filesystem::path& path, bool force);
 
-/// Stores `bytes`, and `more` behind them, at `path`, whole or not at all: written to a new file beside it
-/// (its name ends in
-/// `.part`), synchronised, renamed. An old file, and whoever reads it, are left alone until then.
-/// Throws InputError that names the file and the cause; the `.part` file is gone then.
+/// Stores `bytes` followed by `more` at `path`, completely or not at all. The bytes go to a new file beside
+/// it whose name ends in `.part`; this file is synchronised and then renamed. Until then, an old file and its
+/// readers are not disturbed. Throws InputError with the file and the cause, and removes the `.part` file.
 ///
-/// A limit on file sizes (`ulimit -f`) is such a cause only in a program that ignores SIGXFSZ.
+/// A limit on file sizes (`ulimit -f`) causes an InputError only in a program that ignores SIGXFSZ.
 void replace_file(const std::filesystem::path& path, std::span<const std::byte> bytes,
                   std::span<const std::byte> more = {});
 inline void replace_file(const std::filesystem::path& path, std::string_view text) {

@@ -58,7 +58,7 @@ std::string sha256_of_text(std::string_view text) {
 
 std::string sha256_of_file(const std::filesystem::path& path, std::uintmax_t most) {
   const std::unique_ptr<std::FILE, Close> file(std::fopen(path.c_str(), "rb"));
-  if (!file) throw InputError(path.string(), 0, std::string("cannot be read: ") + std::strerror(errno));
+  if (!file) throw InputError({path.string()}, std::string("cannot be read: ") + std::strerror(errno));
   Sha256 hash;
   std::array<char, 65536> block;
   const auto next = [&] { return static_cast<std::size_t>(std::min<std::uintmax_t>(block.size(), most)); };
@@ -66,9 +66,9 @@ std::string sha256_of_file(const std::filesystem::path& path, std::uintmax_t mos
     hash.add(block.data(), size);
     most -= size;
   }
-  // Opening a folder works, reading it does not.
+  // A folder can be opened, but not read.
   if (std::ferror(file.get())) {
-    throw InputError(path.string(), 0, std::string("cannot be read: ") + std::strerror(errno));
+    throw InputError({path.string()}, std::string("cannot be read: ") + std::strerror(errno));
   }
   return hash.hexadecimal();
 }

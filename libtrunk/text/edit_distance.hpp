@@ -5,7 +5,7 @@
 
 namespace trunk {
 
-/// Returns Levenshtein's distance: the fewest insertions, deletions and replacements of bytes that turn one
+/// Returns the Levenshtein distance: the smallest number of bytes to insert, delete or replace to turn one
 /// word into the other.
 std::size_t edit_distance(std::string_view from, std::string_view to);
 

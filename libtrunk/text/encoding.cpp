@@ -27,7 +27,7 @@ void append_utf8(std::string& text, char32_t code) {
   }
 }
 
-// Broken surrogate pairs become U+FFFD: only names and comments can hold them, numbers never do.
+// Broken surrogate pairs become U+FFFD. They can occur in names and comments, but not in numbers.
 std::string decode_utf16(std::string_view bytes, bool big_endian) {
   const auto unit = [&](std::size_t i) {
     const auto first = static_cast<unsigned char>(bytes[i]),
@@ -50,8 +50,8 @@ std::string decode_utf16(std::string_view bytes, bool big_endian) {
   return text;
 }
 
-// Our choice: nine in ten of the bytes at one parity are zero and hardly any at the other, over the first 4
-// kB.
+// Our choice: within the first 4 kB, at least nine in ten bytes at one parity are zero, and none at the
+// other.
 enum class Parity { none, even, odd };
 Parity zeros(std::string_view bytes) {
   const std::size_t pairs = std::min<std::size_t>(bytes.size(), 4096) / 2;
@@ -78,7 +78,7 @@ bool is_utf8(std::string_view bytes) {
   return true;
 }
 
-// Microsoft's code page 1252 from 0x80 to 0x9F; above, it is ISO 8859-1.
+// Microsoft's code page 1252 from 0x80 to 0x9F. Above 0x9F, it equals ISO 8859-1.
 constexpr std::array<char16_t, 32> windows_1252{
     0x20AC, 0xFFFD, 0x201A, 0x0192, 0x201E, 0x2026, 0x2020, 0x2021, 0x02C6, 0x2030, 0x0160,
     0x2039, 0x0152, 0xFFFD, 0x017D, 0xFFFD, 0xFFFD, 0x2018, 0x2019, 0x201C, 0x201D, 0x2022,

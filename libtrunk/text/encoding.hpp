@@ -4,9 +4,10 @@
 
 namespace trunk {
 
-/// Bytes of a text file => UTF-8 without byte order mark. UTF-16 is known by its mark, or by the zero bytes
-/// that every other byte of plain words and numbers then is; what is not valid UTF-8 is taken as
-/// Windows-1252, which holds ISO 8859-1 (our choice: what spreadsheets and loggers of western Europe write).
+/// Returns the bytes of a text file as UTF-8 without a byte order mark. UTF-16 is recognised by its mark, or
+/// by its zero bytes: in plain words and numbers, every second byte of UTF-16 is zero. Bytes that are not
+/// valid UTF-8 are read as Windows-1252, which includes ISO 8859-1. This is our choice, because spreadsheets
+/// and loggers of western Europe write it.
 std::string utf8_of(std::string bytes);
 
 }  // namespace trunk

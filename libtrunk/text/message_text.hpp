@@ -5,15 +5,15 @@
 
 namespace trunk {
 
-/// A number as a message shows it: `digits` significant digits (more before the point of a large number), no
-/// trailing zeros, no locale.
+/// Returns a number as messages show it: with `digits` significant digits, without trailing zeros, and with a
+/// decimal point in every locale. Large numbers keep all digits before the point.
 std::string number_text(double value, int digits = 4);
 
-/// Returns the text with every control character as "?", and line ends as blanks: what came out of a file
-/// cannot steer a terminal.
+/// Returns the text with "?" for every control character and a space for every line end, so that the content
+/// of a file cannot control the terminal.
 std::string without_controls(std::string_view text);
 
-/// Text of a file as a message cites it: in quotes, control characters replaced, at most 40 bytes.
+/// Returns text of a file as messages quote it: in quotes, without control characters, at most 40 bytes.
 std::string excerpt(std::string_view text);
 
 }  // namespace trunk
