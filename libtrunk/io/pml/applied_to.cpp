@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "pml/text_values.hpp"
+#include "text/message_text.hpp"
 
 namespace trunk::pml {
 namespace {
@@ -19,7 +20,7 @@ std::vector<std::string_view> split(std::string_view text) {
   return items;
 }
 
-// Whatever consists of these is meant as indexes: "3-", "1.5" and "-2" are mistakes, not names.
+// An item of only these characters is meant as an index: "3-", "1.5" and "-2" are mistakes, not names.
 bool looks_numeric(std::string_view item) {
   return item.find_first_not_of("0123456789-+. \t\r\n") == std::string_view::npos;
 }
@@ -37,13 +38,12 @@ LoadTarget load_target_of(std::string_view item, const XmlDocument& xml, pugi::x
   if (!item.empty() && !looks_numeric(item)) return ComponentName{std::string(item)};
   const auto range = range_of(item);
   if (!range)
-    xml.fail(at,
-             fmt::format("appliedTo has {}, expected an index as 7, a range as 0-3, the name of a component "
-                         "or *, separated by commas; correct it",
-                         cited(item)));
+    xml.fail(at, fmt::format("appliedTo has {}", excerpt(item)),
+             "an index such as 7, a range such as 0-3, the name of a component, or *, separated by commas",
+             "correct it");
   if (range->last < range->first)
-    xml.fail(at, fmt::format("appliedTo has the range {}, expected the smaller index first; turn it round",
-                             cited(item)));
+    xml.fail(at, fmt::format("appliedTo has the range {}", excerpt(item)), "the smaller index first",
+             "swap the two");
   return *range;
 }
 
@@ -52,36 +52,21 @@ void check_length(const std::vector<LoadTarget>& targets, const XmlDocument& xml
   for (const LoadTarget& target : targets)
     if (const AtomRange* const range = std::get_if<AtomRange>(&target)) sum += range->last - range->first + 1;
   if (sum > most_indices)
-    xml.fail(at, fmt::format("appliedTo lists {} atoms, expected at most {}; shorten the ranges", sum,
-                             most_indices));
+    xml.fail(at, fmt::format("appliedTo lists {} atoms", sum), fmt::format("at most {}", most_indices),
+             "shorten the ranges");
 }
-
-struct TargetText {
-  std::string operator()(const AtomRange& range) const {
-    return range.first == range.last ? fmt::format("{}", range.first)
-                                     : fmt::format("{}-{}", range.first, range.last);
-  }
-  std::string operator()(const ComponentName& component) const { return component.name; }
-  std::string operator()(AllAtoms) const { return "*"; }
-};
 
 }  // namespace
 
 std::vector<LoadTarget> read_load_targets(const XmlDocument& xml, pugi::xml_node applied_to) {
   const std::string text = xml.text(applied_to);
   if (text.empty())
-    xml.fail(applied_to,
-             "appliedTo is empty, expected indexes as 0-3,7, names of components or *; fill it in");
+    xml.fail(applied_to, "appliedTo is empty", "indexes such as 0-3,7, names of components, or *",
+             "fill it in");
   std::vector<LoadTarget> targets;
   for (const std::string_view item : split(text)) targets.push_back(load_target_of(item, xml, applied_to));
   check_length(targets, xml, applied_to);
   return targets;
-}
-
-std::string text_of(const std::vector<LoadTarget>& targets) {
-  std::vector<std::string> texts;
-  for (const LoadTarget& target : targets) texts.push_back(std::visit(TargetText{}, target));
-  return fmt::format("{}", fmt::join(texts, ","));
 }
 
 }  // namespace trunk::pml

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "pml/cell_types.hpp"
-#include "pml/text_values.hpp"
+#include "text/message_text.hpp"
 
 namespace trunk::pml {
 namespace {
@@ -28,8 +28,8 @@ Attributes color(const XmlDocument& xml, pugi::xml_node parent) {
 
 MultiComponent ComponentReader::multi_component(pugi::xml_node node, int depth) {
   if (depth > deepest_nesting)
-    xml_.fail(node, fmt::format("multiComponent at depth {}, expected at most {}; flatten the tree", depth,
-                                deepest_nesting));
+    xml_.fail(node, fmt::format("multiComponent at depth {}", depth),
+              fmt::format("at most {}", deepest_nesting), "flatten the tree");
   xml_.allow_elements(node, {"multiComponent", "structuralComponent"});
   MultiComponent component;
   component.attributes = xml_.attributes(node);
@@ -72,7 +72,7 @@ Cell ComponentReader::cell(pugi::xml_node node) {
 std::size_t ComponentReader::cell_index(pugi::xml_node properties) {
   const std::size_t index = xml_.index(properties, "index");
   if (!cells_.insert(index).second)
-    xml_.fail(properties, fmt::format("a second cell of index {}, expected each once; renumber it", index));
+    xml_.fail(properties, fmt::format("a second cell of index {}", index), "every index once", "renumber it");
   return index;
 }
 
@@ -81,13 +81,13 @@ void ComponentReader::check_type(pugi::xml_node properties, const Cell& cell) co
   if (!type) {
     std::vector<std::string_view> names;
     for (const CellType& known : cell_types) names.push_back(known.name);
-    xml_.fail(properties, fmt::format("cell of unknown type {}, expected {}; correct it", cited(cell.type),
-                                      fmt::join(names, ", ")));
+    xml_.fail(properties, fmt::format("cell of unknown type {}", excerpt(cell.type)),
+              fmt::format("{}", fmt::join(names, ", ")), "correct it");
   }
   if (cell.atoms.size() < type->least_atoms || cell.atoms.size() > type->most_atoms)
-    xml_.fail(properties, fmt::format("{} of {} atoms, expected {}{}; correct its atomRefs or its type",
-                                      cell.type, cell.atoms.size(),
-                                      type->most_atoms == any_number ? "at least " : "", type->least_atoms));
+    xml_.fail(properties, fmt::format("{} of {} atoms", cell.type, cell.atoms.size()),
+              fmt::format("{}{}", type->most_atoms == any_number ? "at least " : "", type->least_atoms),
+              "correct its atomRefs or its type");
 }
 
 std::size_t ComponentReader::reference(pugi::xml_node node) const {
@@ -99,8 +99,8 @@ std::size_t ComponentReader::reference(pugi::xml_node node) const {
 std::size_t ComponentReader::atom_reference(pugi::xml_node node) const {
   const std::size_t index = reference(node);
   if (!atoms_.contains(index))
-    xml_.fail(node, fmt::format("atomRef to {}, expected the index of an atom; add the atom or remove this",
-                                index));
+    xml_.fail(node, fmt::format("atomRef to {}", index), "the index of an atom",
+              "add the atom or remove this");
   return index;
 }
 
@@ -112,8 +112,8 @@ std::size_t ComponentReader::cell_reference(pugi::xml_node node) {
 void ComponentReader::check_cell_references() const {
   for (const pugi::xml_node node : cell_references_)
     if (const std::size_t index = reference(node); !cells_.contains(index))
-      xml_.fail(node, fmt::format("cellRef to {}, expected the index of a cell; add the cell or remove this",
-                                  index));
+      xml_.fail(node, fmt::format("cellRef to {}", index), "the index of a cell",
+                "add the cell or remove this");
 }
 
 }  // namespace trunk::pml

@@ -9,13 +9,13 @@
 /// Private to the pml layer: the components of a PML file.
 namespace trunk::pml {
 
-/// Fails unless the counts nrOfStructures, if given, are whole numbers.
+/// Throws InputError if there is a count nrOfStructures that is not a whole number.
 void check_count(const XmlDocument& xml, pugi::xml_node parent);
 
-/// The attributes of the element `color`; none without it.
+/// Returns the attributes of the element `color`; none if there is no such element.
 Attributes color(const XmlDocument& xml, pugi::xml_node parent);
 
-/// Reads components once all atoms are known; keeps account of the cells.
+/// Reads components after all atoms are known, and records the cells. All functions throw InputError.
 class ComponentReader {
  public:
   ComponentReader(const XmlDocument& xml, const std::unordered_set<std::size_t>& atoms)
@@ -23,7 +23,7 @@ class ComponentReader {
 
   MultiComponent multi_component(pugi::xml_node node, int depth = 1);
 
-  /// At the end: a cell may be referred to before it comes.
+  /// Checks all references to cells. Call it at the end, since a reference may stand before its cell.
   void check_cell_references() const;
 
  private:

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numbers>
 
 #include "errors/input_error.hpp"
-#include "pml/text_values.hpp"
+#include "math/units.hpp"
+#include "text/message_text.hpp"
 
 namespace trunk::pml {
 namespace {
@@ -30,10 +30,8 @@ struct Unit {
   double si;
 };
 
-constexpr double degree = std::numbers::pi / 180.0;
-
-constexpr Unit units[] = {{translation, "", 1e-3},
-                          {translation, "mm", 1e-3},
+constexpr Unit units[] = {{translation, "", m_per_mm},
+                          {translation, "mm", m_per_mm},
                           {translation, "m", 1.0},
                           {translation, "cm", 1e-2},
                           {translation, "µm", 1e-6},
@@ -45,21 +43,21 @@ constexpr Unit units[] = {{translation, "", 1e-3},
                           {pressure, "Pa", 1.0},
                           {pressure, "hPa", 1e2},
                           {pressure, "kPa", 1e3},
-                          {pressure, "cmH2O", 98.0665},
-                          {pressure, "mmHg", 133.322387415},
+                          {pressure, "cmH2O", Pa_per_cmH2O},
+                          {pressure, "mmHg", Pa_per_mmHg},
                           {rotation, "", 1.0},
                           {rotation, "rad", 1.0},
                           {rotation, "radians", 1.0},
-                          {rotation, "deg", degree},
-                          {rotation, "degrees", degree},
-                          {rotation, "°", degree},
+                          {rotation, "deg", rad_per_degree},
+                          {rotation, "degrees", rad_per_degree},
+                          {rotation, "°", rad_per_degree},
                           {acceleration, "", 1.0},
                           {acceleration, "m/s2", 1.0},
                           {acceleration, "m/s²", 1.0},
                           {acceleration, "m/s^2", 1.0},
-                          {acceleration, "mm/s2", 1e-3},
-                          {acceleration, "mm/s²", 1e-3},
-                          {acceleration, "mm/s^2", 1e-3}};
+                          {acceleration, "mm/s2", m_per_mm},
+                          {acceleration, "mm/s²", m_per_mm},
+                          {acceleration, "mm/s^2", m_per_mm}};
 
 }  // namespace
 
@@ -97,8 +95,8 @@ std::string unit_names(Load::Type type) {
 double to_si(const Load& load) {
   const auto factor = si_factor(load.type, load.unit);
   if (!factor)
-    throw InputError(fmt::format("a {} in unit {}, expected {}; correct its unit", name_of(load.type),
-                                 cited(load.unit), unit_names(load.type)));
+    throw InputError({}, fmt::format("a {} in unit {}", name_of(load.type), excerpt(load.unit)),
+                     unit_names(load.type), "correct its unit");
   return *factor;
 }
 

@@ -5,6 +5,24 @@
 #include "errors/input_error.hpp"
 
 namespace trunk::pml {
+namespace {
+
+struct TargetText {
+  std::string operator()(const AtomRange& range) const {
+    return range.first == range.last ? fmt::format("{}", range.first)
+                                     : fmt::format("{}-{}", range.first, range.last);
+  }
+  std::string operator()(const ComponentName& component) const { return component.name; }
+  std::string operator()(AllAtoms) const { return "*"; }
+};
+
+}  // namespace
+
+std::string text_of(const std::vector<LoadTarget>& targets) {
+  std::vector<std::string> texts;
+  for (const LoadTarget& target : targets) texts.push_back(std::visit(TargetText{}, target));
+  return fmt::format("{}", fmt::join(texts, ","));
+}
 
 PiecewiseLinear course(const Load& load, double to_si) {
   std::vector<PiecewiseLinear::Event> events;
@@ -19,10 +37,8 @@ std::vector<std::size_t> listed_indices(const Load& load, std::size_t end) {
     const AtomRange* const range = std::get_if<AtomRange>(&target);
     if (!range) continue;
     if (range->last >= end || range->first > range->last)
-      throw InputError(
-          fmt::format("a load on atoms {}-{}, expected indexes below {} in increasing order; correct "
-                      "its appliedTo",
-                      range->first, range->last, end));
+      throw InputError({}, fmt::format("a load on atoms {}-{}", range->first, range->last),
+                       fmt::format("indexes below {} in increasing order", end), "correct its appliedTo");
     for (std::size_t index = range->first; index <= range->last; ++index)
       if (!taken[index]) {
         taken[index] = true;

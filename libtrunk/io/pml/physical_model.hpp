@@ -10,14 +10,14 @@
 #include "math/vec3.hpp"
 #include "pml/attributes.hpp"
 
-/// The content of a PML file as it stands there, element for element; comments are not kept. Physics is in
-/// free attributes ("mass", "stiffness", "incompressibility"), which are texts here.
+/// The content of a PML file, element for element and without comments. The physics is in free attributes
+/// ("mass", "stiffness", "incompressibility"), which are texts here.
 namespace trunk::pml {
 
 struct Atom {
   std::size_t index = 0;  ///< unique in the model, not necessarily contiguous
-  Vec3d position;         ///< in the unit of the file: PML names none, CamiTK takes mm
-  Attributes attributes;  ///< of atomProperties, but index, x, y, z
+  Vec3d position;         ///< in the unit of the file; PML names no unit, CamiTK uses mm
+  Attributes attributes;  ///< of atomProperties, without index, x, y, z
 
   friend bool operator==(const Atom& a, const Atom& b) {
     const auto key = [](const Atom& atom) {
@@ -30,7 +30,7 @@ struct Atom {
 struct Cell {
   std::optional<std::size_t> index;  ///< unique in the model
   std::string type;                  ///< one of cell_types
-  Attributes attributes;             ///< of cellProperties, but index and type
+  Attributes attributes;             ///< of cellProperties, without index and type
   Attributes color;                  ///< r, g, b, a; empty without colour
   std::vector<std::size_t> atoms;    ///< atom indexes, in the order of the type
 
@@ -47,7 +47,7 @@ struct CellReference {
   bool operator==(const CellReference&) const = default;
 };
 
-/// A named part: atoms by index, cells, or cells by index.
+/// A named part of the model: indexes of atoms, cells, and indexes of cells.
 struct StructuralComponent {
   Attributes attributes;
   Attributes color;  ///< r, g, b, a; empty without colour
@@ -56,7 +56,7 @@ struct StructuralComponent {
   bool operator==(const StructuralComponent&) const = default;
 };
 
-/// A group of parts. `components` come before `structures` when written, whatever their order was.
+/// A group of parts. The writer puts `components` before `structures`.
 struct MultiComponent {
   Attributes attributes;
   std::vector<MultiComponent> components;
@@ -67,8 +67,8 @@ struct MultiComponent {
 };
 
 struct PhysicalModel {
-  Attributes attributes;            ///< but the four counts nrOf…, which the writer works out
-  Attributes atom_list_attributes;  ///< of the component that holds the atoms
+  Attributes attributes;            ///< without the four counts nrOf…, which the writer computes
+  Attributes atom_list_attributes;  ///< of the component that lists the atoms
   Attributes atom_list_color;
   std::vector<Atom> atoms;
   MultiComponent exclusive;

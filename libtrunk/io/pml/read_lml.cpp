@@ -6,6 +6,7 @@
 #include "pml/load_vocabulary.hpp"
 #include "pml/text_values.hpp"
 #include "pml/xml_names.hpp"
+#include "text/message_text.hpp"
 
 namespace trunk::pml {
 namespace {
@@ -17,8 +18,7 @@ struct Parts {
 };
 
 void take_once(const XmlDocument& xml, pugi::xml_node& place, pugi::xml_node element) {
-  if (place)
-    xml.fail(element, fmt::format("a second <{}> in a load, expected one; remove it", element.name()));
+  if (place) xml.fail(element, fmt::format("a second <{}> in a load", element.name()), "one", "remove it");
   place = element;
 }
 
@@ -35,10 +35,8 @@ Parts parts_of(const XmlDocument& xml, pugi::xml_node load) {
     } else if (name == "unit") {
       take_once(xml, parts.unit, element);
     } else {
-      xml.fail(element,
-               fmt::format("unknown element <{}> in a load, expected appliedTo, valueEvent, direction, "
-                           "unit; remove or rename it",
-                           element.name()));
+      xml.fail(element, fmt::format("unknown element <{}> in a load", element.name()),
+               "appliedTo, valueEvent, direction, unit", "remove or rename it");
     }
   }
   return parts;
@@ -49,7 +47,7 @@ void check_complete(const XmlDocument& xml, pugi::xml_node load, const Parts& pa
                               : parts.events.empty() ? "valueEvent"
                               : !parts.direction     ? "direction"
                                                      : nullptr;
-  if (missing) xml.fail(load, fmt::format("load without <{}>, expected one; add it", missing));
+  if (missing) xml.fail(load, fmt::format("load without <{}>", missing), "one", "add it");
 }
 
 bool is_type(const XmlDocument& xml, pugi::xml_node load, std::string_view attribute) {
@@ -61,13 +59,13 @@ Load::Type type_of(const XmlDocument& xml, pugi::xml_node load) {
     if (declares_namespace(attribute.name()) || !is_type(xml, load, attribute.name())) continue;
     const auto type = load_type(qualified(xml, load, trimmed(attribute.value()), true).local);
     if (type) return *type;
-    xml.fail(load, fmt::format("load of unknown type {}, expected {}; correct it", cited(attribute.value()),
-                               load_type_names()));
+    xml.fail(load, fmt::format("load of unknown type {}", excerpt(attribute.value())), load_type_names(),
+             "correct it");
   }
-  xml.fail(load, fmt::format("load without xsi:type, expected one of {}; add it", load_type_names()));
+  xml.fail(load, "load without xsi:type", fmt::format("one of {}", load_type_names()), "add it");
 }
 
-// But declarations, and what belongs to the schema.
+// Returns the attributes without declarations and without those of the schema.
 Attributes own_attributes(const XmlDocument& xml, pugi::xml_node element) {
   Attributes own = xml.attributes(element);
   std::erase_if(own, [&](const Attribute& attribute) {
@@ -76,8 +74,9 @@ Attributes own_attributes(const XmlDocument& xml, pugi::xml_node element) {
   });
   for (const Attribute& attribute : own)
     if (attribute.name.find(':') != std::string::npos && !attribute.name.starts_with("xml:"))
-      xml.fail(element, fmt::format("attribute '{}' of another namespace in <{}>, expected none; remove it",
-                                    attribute.name, element.name()));
+      xml.fail(element,
+               fmt::format("attribute '{}' of another namespace in <{}>", attribute.name, element.name()),
+               "none", "remove it");
   return own;
 }
 
@@ -88,8 +87,8 @@ std::vector<Load::Event> events_of(const XmlDocument& xml, const std::vector<pug
     xml.allow_attributes(element, {"date", "value"});
     const Load::Event event{xml.number(element, "date"), xml.number(element, "value")};
     if (!events.empty() && !(events.back().date < event.date))
-      xml.fail(element, fmt::format("date {} after date {}, expected increasing dates; sort the valueEvents",
-                                    event.date, events.back().date));
+      xml.fail(element, fmt::format("date {} after date {}", event.date, events.back().date),
+               "increasing dates", "sort the valueEvents");
     events.push_back(event);
   }
   return events;
@@ -101,10 +100,8 @@ Axis axis_of(const XmlDocument& xml, pugi::xml_node direction, const char* name)
   if (trimmed(value) == "NULL") return {Axis::Kind::fixed, 0.0};
   const auto number = finite_number(value);
   if (!number)
-    xml.fail(direction,
-             fmt::format("{}={} in <direction>, expected a finite number, NULL (held), or no {} (free); "
-                         "correct it",
-                         name, cited(value), name));
+    xml.fail(direction, fmt::format("{}={} in <direction>", name, excerpt(value)),
+             fmt::format("a finite number, NULL (held), or no {} (free)", name), "correct it");
   return {Axis::Kind::along, *number};
 }
 
@@ -114,8 +111,10 @@ std::variant<Axes, Toward> direction_of(const XmlDocument& xml, pugi::xml_node d
   const Axes axes{axis_of(xml, direction, "x"), axis_of(xml, direction, "y"), axis_of(xml, direction, "z")};
   const bool has_toward = direction.attribute("toward"), has_axes = axes != Axes{};
   if (has_toward == has_axes)
-    xml.fail(direction, fmt::format("<direction> with {}, expected either x, y, z or toward; correct it",
-                                    has_axes ? "both axes and toward" : "neither axes nor toward"));
+    xml.fail(
+        direction,
+        fmt::format("<direction> with {}", has_axes ? "both axes and toward" : "neither axes nor toward"),
+        "either x, y, z or toward", "correct it");
   if (has_toward) return Toward{xml.index(direction, "toward")};
   return axes;
 }
@@ -124,8 +123,8 @@ std::string unit_of(const XmlDocument& xml, pugi::xml_node unit, pugi::xml_node 
   xml.allow_attributes(unit, {});
   const std::string name = xml.text(unit);
   if (!si_factor(type, name))
-    xml.fail(unit ? unit : load, fmt::format("{} in unit {}, expected {}; correct it", name_of(type),
-                                             cited(name), unit_names(type)));
+    xml.fail(unit ? unit : load, fmt::format("{} in unit {}", name_of(type), excerpt(name)), unit_names(type),
+             "correct it");
   return name;
 }
 
@@ -149,13 +148,12 @@ Load read_load(const XmlDocument& xml, pugi::xml_node node) {
 Loads read_lml(std::string_view text, const std::string& file) {
   const XmlDocument xml(text, file, "LML");
   if (load_name(xml, xml.root()) != "loads")
-    xml.fail(xml.root(), fmt::format("<{}> found, expected <loads>; give an LML file", xml.root().name()));
+    xml.fail(xml.root(), fmt::format("<{}> found", xml.root().name()), "<loads>", "give an LML file");
   Loads loads;
   loads.attributes = own_attributes(xml, xml.root());
   for (const pugi::xml_node element : xml.elements(xml.root())) {
     if (load_name(xml, element) != "load")
-      xml.fail(element,
-               fmt::format("unknown element <{}>, expected <load>; remove or rename it", element.name()));
+      xml.fail(element, fmt::format("unknown element <{}>", element.name()), "<load>", "remove or rename it");
     loads.loads.push_back(read_load(xml, element));
   }
   return loads;

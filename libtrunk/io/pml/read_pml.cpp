@@ -16,7 +16,7 @@ class PmlReader {
   PhysicalModel model() {
     const pugi::xml_node root = xml_.root();
     if (root.name() != std::string_view("physicalModel"))
-      xml_.fail(root, fmt::format("<{}> found, expected <physicalModel>; give a PML file", root.name()));
+      xml_.fail(root, fmt::format("<{}> found", root.name()), "<physicalModel>", "give a PML file");
     xml_.allow_elements(root, {"atoms", "exclusiveComponents", "informativeComponents"});
 
     PhysicalModel model;
@@ -48,7 +48,8 @@ class PmlReader {
     xml_.allow_elements(properties, {});
     const std::size_t index = xml_.index(properties, "index");
     if (!atoms_.insert(index).second)
-      xml_.fail(properties, fmt::format("a second atom of index {}, expected each once; renumber it", index));
+      xml_.fail(properties, fmt::format("a second atom of index {}", index), "every index once",
+                "renumber it");
     return {index,
             {xml_.number(properties, "x"), xml_.number(properties, "y"), xml_.number(properties, "z")},
             xml_.attributes(properties, {"index", "x", "y", "z"})};
@@ -60,7 +61,7 @@ class PmlReader {
     return components_.multi_component(xml_.only(node, "multiComponent"));
   }
 
-  // The element alone, without content, is how some programs say that there is nothing.
+  // Some programs write the element without content if there is nothing.
   std::optional<MultiComponent> informative(pugi::xml_node node) {
     xml_.allow_attributes(node, {});
     xml_.allow_elements(node, {"multiComponent"});
@@ -68,7 +69,7 @@ class PmlReader {
     if (!content) return std::nullopt;
     MultiComponent component = components_.multi_component(content);
     if (component.empty())
-      xml_.fail(content, "informative multiComponent with nothing in it, expected components; remove it");
+      xml_.fail(content, "informative multiComponent with nothing in it", "components", "remove it");
     return component;
   }
 

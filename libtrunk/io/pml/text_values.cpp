@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::string_view white_space = " \t\r\n";
 
-// The length of the character that `text` begins with, 0 if XML forbids it (XML 1.0, production 2).
+// Returns the length of the first character of `text`; 0 if XML forbids it (XML 1.0, production 2).
 std::size_t length_of_character(std::string_view text) noexcept {
   const auto byte = [&](std::size_t i) -> char32_t {
     return i < text.size() ? static_cast<unsigned char>(text[i]) : 0;
@@ -62,18 +62,6 @@ std::size_t first_forbidden(std::string_view text) noexcept {
     at += length;
   }
   return std::string_view::npos;
-}
-
-std::string cited(std::string_view text) {
-  constexpr std::size_t most = 40;
-  std::size_t length = std::min(text.size(), most);
-  // Do not cut a UTF-8 character in two.
-  while (length < text.size() && length > 0 && (static_cast<unsigned char>(text[length]) & 0xC0) == 0x80)
-    --length;
-  std::string shown(text.substr(0, length));
-  const auto is_control = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; };
-  std::replace_if(shown.begin(), shown.end(), is_control, ' ');
-  return "'" + shown + (length < text.size() ? "...'" : "'");
 }
 
 }  // namespace trunk::pml

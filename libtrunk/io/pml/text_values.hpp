@@ -2,29 +2,26 @@
 
 #include <cstddef>
 #include <optional>
-#include <string>
 #include <string_view>
 
-/// Private to the pml layer: numbers and characters of XML texts, without locale.
+/// Private to the pml layer: numbers and characters of XML texts, independent of the locale.
 namespace trunk::pml {
 
-/// Without white space at either end.
+/// Returns the text without white space at either end.
 std::string_view trimmed(std::string_view text) noexcept;
 
-/// A finite number that fills the text but for white space around it; nothing else.
+/// Returns the finite number that is the whole text, apart from white space around it; nothing otherwise.
 std::optional<double> finite_number(std::string_view text) noexcept;
 
-/// The largest index of an atom or cell: other programs keep them in 32 bits.
+/// The largest index of an atom or cell, because other programs store indexes in 32 bits.
 inline constexpr std::size_t largest_index = 2'147'483'647;
 
-/// Decimal digits alone, at most largest_index, white space around them allowed.
+/// Returns the whole number of decimal digits that is the whole text, apart from white space around it;
+/// nothing if there is another character or the number is above largest_index.
 std::optional<std::size_t> whole_number(std::string_view text) noexcept;
 
-/// Where the first byte stands that XML 1.0 in UTF-8 forbids: a control character or broken UTF-8; npos if
-/// nowhere.
+/// Returns the position of the first byte that XML 1.0 in UTF-8 forbids (a control character or invalid
+/// UTF-8); npos if there is none.
 std::size_t first_forbidden(std::string_view text) noexcept;
-
-/// Text of a file as a message cites it: in quotes, on one line, at most 40 bytes.
-std::string cited(std::string_view text);
 
 }  // namespace trunk::pml

@@ -1,7 +1,6 @@
 #include "pml/write_lml.hpp"
 
 #include "errors/input_error.hpp"
-#include "pml/applied_to.hpp"
 #include "pml/load_vocabulary.hpp"
 #include "pml/read_lml.hpp"
 #include "pml/xml_names.hpp"
@@ -60,10 +59,8 @@ std::string text_of_loads(const Loads& loads) {
 std::string write_lml(const Loads& loads) {
   std::string text = text_of_loads(loads);
   if (read_lml(text, written_lml) != loads)
-    throw InputError(
-        written_lml, 0,
-        "the loads would read back changed, expected names and values that LML keeps; look for commas "
-        "in names of components");
+    throw InputError({written_lml}, "the loads would read back changed", "names and values that LML keeps",
+                     "look for commas in names of components");
   return text;
 }
 

@@ -6,8 +6,9 @@
 
 namespace trunk::pml {
 
-/// The loads as an LML text that CamiTK reads, numbers with all their digits. What is written has been read
-/// back and compared: throws InputError when the loads break a rule of read_lml or would not come back equal.
+/// Returns the loads as an LML text that CamiTK reads, with all digits of the numbers. The text is read back
+/// and compared with the loads. Throws InputError if the loads break a rule of read_lml or are not read back
+/// equal.
 std::string write_lml(const Loads& loads);
 
 }  // namespace trunk::pml

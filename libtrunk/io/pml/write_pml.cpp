@@ -121,10 +121,9 @@ std::string write_pml(const PhysicalModel& model) {
   if (kept.informative && kept.informative->empty()) kept.informative.reset();
   std::string text = text_of_model(kept);
   if (read_pml(text, written_pml) != kept)
-    throw InputError(
-        written_pml, 0,
-        "the model would read back changed, expected names, types and values that XML keeps; look for "
-        "NUL characters and for attributes nrOfAtoms, nrOfCells");
+    throw InputError({written_pml}, "the model would read back changed",
+                     "names, types and values that XML keeps",
+                     "look for NUL characters and for attributes nrOfAtoms, nrOfCells");
   return text;
 }
 

@@ -6,10 +6,10 @@
 
 namespace trunk::pml {
 
-/// The model as a PML text that CamiTK reads: numbers with all their digits, counts filled in, an empty
-/// informative part left out. What is written has been read back and compared: throws InputError when the
-/// model breaks a rule of read_pml or would not come back equal (a NaN, an attribute called "index", a name
-/// that is no XML name).
+/// Returns the model as a PML text that CamiTK reads, with all digits of the numbers, with counts, and
+/// without an empty informative part. The text is read back and compared with the model. Throws InputError if
+/// the model breaks a rule of read_pml or is not read back equal, for example because of a NaN, an attribute
+/// named "index" or a name that XML does not allow.
 std::string write_pml(const PhysicalModel& model);
 
 }  // namespace trunk::pml

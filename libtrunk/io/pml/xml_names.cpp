@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "pml/text_values.hpp"
+#include "text/message_text.hpp"
 
 namespace trunk::pml {
 namespace {
@@ -22,16 +22,16 @@ QualifiedName qualified(const XmlDocument& xml, pugi::xml_node at, std::string_v
   if (prefix == "xml") return {"http://www.w3.org/XML/1998/namespace", name.substr(colon + 1)};
   const pugi::xml_attribute found = declaration(at, "xmlns:" + prefix);
   if (!found)
-    xml.fail(at, fmt::format("unknown namespace prefix in {}, expected xmlns:{}=\"…\" above it; declare it",
-                             cited(name), prefix));
+    xml.fail(at, fmt::format("unknown namespace prefix in {}", excerpt(name)),
+             fmt::format("xmlns:{}=\"…\" above it", prefix), "declare it");
   return {found.value(), name.substr(colon + 1)};
 }
 
 std::string_view load_name(const XmlDocument& xml, pugi::xml_node element) {
   const QualifiedName name = qualified(xml, element, element.name(), true);
   if (name.space != load_namespace)
-    xml.fail(element, fmt::format("<{}> in namespace {}, expected {}; name it with xmlns", element.name(),
-                                  cited(name.space), cited(load_namespace)));
+    xml.fail(element, fmt::format("<{}> in namespace {}", element.name(), excerpt(name.space)),
+             excerpt(load_namespace), "name it with xmlns");
   return name.local;
 }
 

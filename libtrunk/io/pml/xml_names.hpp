@@ -4,26 +4,26 @@
 
 #include "pml/xml_document.hpp"
 
-/// Private to the pml layer: XML namespaces, whatever prefix a file has for them.
+/// Private to the pml layer: XML namespaces, with any prefix.
 namespace trunk::pml {
 
 inline constexpr std::string_view load_namespace = "http://www-timc.imag.fr/load";
 inline constexpr std::string_view schema_namespace = "http://www.w3.org/2001/XMLSchema-instance";
 
-/// A name with its namespace, empty when there is none.
+/// A name with its namespace, which is empty if there is none.
 struct QualifiedName {
   std::string_view space, local;
   bool operator==(const QualifiedName&) const = default;
 };
 
-/// Of a name as it stands at an element; one without prefix is in the default namespace if `by_default`.
-/// Throws InputError for a prefix that nothing declares.
+/// Returns the qualified name of `name` as written at an element. A name without prefix is in the default
+/// namespace if `by_default`. Throws InputError if no element declares the prefix.
 QualifiedName qualified(const XmlDocument& xml, pugi::xml_node at, std::string_view name, bool by_default);
 
-/// Of an element of LML. Throws InputError when it is in another namespace.
+/// Returns the local name of an element of LML; throws InputError if it is in another namespace.
 std::string_view load_name(const XmlDocument& xml, pugi::xml_node element);
 
-/// Whether an attribute declares a namespace: "xmlns" or "xmlns:…".
+/// Returns whether an attribute declares a namespace, as "xmlns" and "xmlns:…" do.
 bool declares_namespace(std::string_view attribute) noexcept;
 
 }  // namespace trunk::pml

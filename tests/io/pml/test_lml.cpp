@@ -90,7 +90,7 @@ Load random_load(Random& random) {
 
 }  // namespace
 
-TEST_CASE("The published compressions are read, loads in comments are not", "[shared][lml]") {
+TEST_CASE("The published compressions are read, but not loads in comments", "[shared][lml]") {
   const std::string text = shared_surface("compression-12.lml");
   const Loads read = read_lml(text, "compression-12.lml");
   REQUIRE(read.loads.size() == 2);
@@ -138,7 +138,7 @@ TEST_CASE("Loads are written as other programs expect them", "[unit][lml]") {
         "<direction x=\"NULL\" z=\"-1\" />\n<unit>mm</unit>\n</load>\n</loads>\n");
 }
 
-TEST_CASE("Targets are indexes, ranges, names and everything", "[unit][lml]") {
+TEST_CASE("Load targets are indexes, ranges, names and all atoms", "[unit][lml]") {
   using Targets = std::vector<LoadTarget>;
   CHECK(targets_of("0-3,7,9-11") ==
         Targets{pml::AtomRange{0, 3}, pml::AtomRange{7, 7}, pml::AtomRange{9, 11}});
@@ -155,7 +155,7 @@ TEST_CASE("Targets are indexes, ranges, names and everything", "[unit][lml]") {
              Contains("'7-3'") && Contains("smaller index first"));
 }
 
-TEST_CASE("Ranges are worked out up to a bound", "[unit][lml]") {
+TEST_CASE("Ranges are expanded up to a bound", "[unit][lml]") {
   Load load;
   load.targets = {pml::AtomRange{4, 6}, ComponentName{"Lung"}, pml::AtomRange{5, 7}, pml::AtomRange{0, 0}};
   CHECK(listed_indices(load, 8) == std::vector<std::size_t>{4, 5, 6, 7, 0});
@@ -166,7 +166,7 @@ TEST_CASE("Ranges are worked out up to a bound", "[unit][lml]") {
   CHECK_THROWS_AS(listed_indices(load, 8), InputError);
 }
 
-TEST_CASE("Namespaces count, prefixes do not", "[unit][lml]") {
+TEST_CASE("Names are compared by namespace and not by prefix", "[unit][lml]") {
   const std::string text =
       "<l:loads xmlns:l='http://www-timc.imag.fr/load'>\n"
       "<l:load xmlns:i='http://www.w3.org/2001/XMLSchema-instance' i:type='l:Force' name='a'>"
@@ -248,7 +248,7 @@ TEST_CASE("Every kind of bad LML names line, what was found and what was expecte
   }
 }
 
-TEST_CASE("Loads that would not read back are not written", "[unit][lml]") {
+TEST_CASE("Loads that would not be read back equal are not written", "[unit][lml]") {
   Load load;
   load.targets = {AllAtoms{}};
   load.events = {{0, 1}};

@@ -124,7 +124,7 @@ PhysicalModel small_model() {
 
 }  // namespace
 
-TEST_CASE("The published diaphragm is read as it stands", "[shared][pml]") {
+TEST_CASE("The published diaphragm is read without changes", "[shared][pml]") {
   const std::string text = shared_surface("diaphragm.pml");
   const PhysicalModel model = read_pml(text, "diaphragm.pml");
 
@@ -162,7 +162,7 @@ TEST_CASE("The published cube has nested components and free attributes", "[shar
   CHECK(std::get<AtomReference>(model.informative->structures.at(0).items.at(0)).index == 604);
 }
 
-TEST_CASE("Published models survive writing, and the counts written are theirs", "[shared][pml]") {
+TEST_CASE("Published models survive writing, with their own counts", "[shared][pml]") {
   for (const char* name : {"diaphragm.pml", "truthcube.pml"}) {
     const std::string text = shared_surface(name);
     const PhysicalModel model = read_pml(text, name);
@@ -197,7 +197,7 @@ TEST_CASE("An empty informative part is left out", "[unit][pml]") {
   CHECK(write_pml(model) == write_pml(small_model()));
 }
 
-TEST_CASE("A model that would not read back is not written", "[unit][pml]") {
+TEST_CASE("A model that would not be read back equal is not written", "[unit][pml]") {
   const auto refuses = [](auto damage, const std::string& part) {
     PhysicalModel model = small_model();
     REQUIRE_NOTHROW(write_pml(model));

@@ -117,7 +117,7 @@ TEST_CASE("Every kind of bad PML names line, what was found and what was expecte
   }
 }
 
-TEST_CASE("Cells have the number of atoms that their type asks for", "[unit][pml]") {
+TEST_CASE("Cells have the number of atoms that their type requires", "[unit][pml]") {
   const std::pair<std::string, int> types[] = {{"LINE", 2},        {"TRIANGLE", 3}, {"QUAD", 4},
                                                {"TETRAHEDRON", 4}, {"PYRAMID", 5},  {"WEDGE", 6},
                                                {"HEXAHEDRON", 8}};
@@ -126,7 +126,7 @@ TEST_CASE("Cells have the number of atoms that their type asks for", "[unit][pml
     for (const int wrong : {size - 1, size + 1})
       CHECK_THAT(
           pml_message(part(cell("type='" + type + "'", wrong))),
-          Contains(type + " of " + std::to_string(wrong) + " atoms, expected " + std::to_string(size)));
+          Contains(type + " of " + std::to_string(wrong) + " atoms; expected " + std::to_string(size)));
   }
   for (const std::string type : {"POLY_LINE", "POLY_VERTEX"})
     for (const int size : {1, 2, 9})
@@ -143,17 +143,17 @@ TEST_CASE("Entities are neither expanded nor fetched", "[unit][pml]") {
   CHECK(*find(read_pml("<physicalModel name='&x;'" + part("").substr(14), "").attributes, "name") == "&x;");
 }
 
-TEST_CASE("What is odd but clear is read", "[unit][pml]") {
+TEST_CASE("Unusual but clear texts are read", "[unit][pml]") {
   CHECK(pml_message(part("")) == "no error");
   CHECK(pml_message(nested(64)) == "no error");
   CHECK(pml_message("\xEF\xBB\xBF<?xml version='1.0' encoding='UTF-16'?>\n<!-- c -->" + part("")) ==
         "no error");
   CHECK(pml_message(head_lines + tail.substr(0, 39) + "<informativeComponents/></physicalModel>") ==
         "no error");
-  SECTION("counts that disagree, as in files that are about") {
+  SECTION("counts that disagree, as in existing files") {
     CHECK(pml_message(part("<nrOfStructures value='35'/><atomRef index='1'/>")) == "no error");
   }
-  SECTION("a cell that comes after what refers to it") {
+  SECTION("a cell that comes after a reference to it") {
     CHECK(pml_message(part("<cellRef index='7'/>" + cell("index='7' type='LINE'", 2))) == "no error");
   }
   SECTION("numbers with a plus sign or white space") {
@@ -162,7 +162,7 @@ TEST_CASE("What is odd but clear is read", "[unit][pml]") {
   }
 }
 
-TEST_CASE("Texts that are too long or too deep end in an error", "[unit][pml]") {
+TEST_CASE("Texts that are too long or too deep give an error", "[unit][pml]") {
   CHECK_THAT(pml_message(std::string(100'000'001, ' ')), Contains("bad.pml: ") && Contains("at most 100 MB"));
   std::string deep;
   for (int i = 0; i < 300'000; ++i) deep += "<a>";
