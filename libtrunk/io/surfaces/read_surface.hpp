@@ -8,27 +8,32 @@
 
 namespace trunk {
 
-/// What a user says of a surface in a file; empty: the file says it, or it is guessed.
+/// What a user says about a surface. Empty members are taken from the file, or guessed.
 struct SurfaceOptions {
   std::string unit;            // mm, cm or m
-  std::string axes;            // as Axes takes them
-  std::string component;       // name of the one part to read: of PML, OBJ or STL
-  std::string axes_of_others;  // of the subject's other surfaces: taken rather than guessed
+  std::string axes;            // as for Axes: "RAS"
+  std::string component;       // name of the only part to read, in PML, OBJ or STL
+  std::string axes_of_others;  // axes of the subject's other surfaces; they are used instead of a guess
 };
 
-/// A measured surface, and what was chosen, repaired and guessed on the way.
+/// A measured surface from a file, in m and in the axes of the trunk, with a report of what was chosen,
+/// repaired and guessed.
 struct ImportedSurface {
-  MeasuredSurface surface;  // named as the file
+  MeasuredSurface surface;  // its name is the name of the file
   std::string format, unit, axes;
   RepairReport repaired;           // sheet_thickness in m
-  std::vector<std::string> notes;  // a sentence each, for the user
+  std::vector<std::string> notes;  // one sentence each, for the user
 };
 
-/// Reads a surface in STL, OBJ, PLY, VTK, VTP or PML, known by its content, and brings it into m and the
-/// trunk's axes, repaired. A unit that nobody names is taken from the size: a part of a human trunk is 0.05
-/// to 1 m. Axes that nobody names are guessed from the shape of an open dome and taken as RAS otherwise; the
-/// notes say so. Throws InputError for a file that is not read, no triangles, a flat surface, a size that is
-/// no trunk's, a component that is not there.
+/// Reads a surface in STL, OBJ, PLY, VTK, VTP or PML, which it recognises by the content. Repairs the surface
+/// and converts it to m and to the axes of the trunk.
+///
+/// If neither the user nor the file names the unit, the unit follows from the size, because a part of a human
+/// trunk is 0.05 to 1 m long. If neither names the axes, they are guessed from the shape of an open dome, or
+/// RAS for other shapes. The notes report both.
+///
+/// Throws InputError if the file cannot be read, has no triangles, is flat, does not have the size of a part
+/// of a trunk, or has no component of the chosen name.
 ImportedSurface read_surface(const std::filesystem::path& path, const SurfaceOptions& options = {});
 
 }  // namespace trunk

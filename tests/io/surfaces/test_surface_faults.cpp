@@ -41,7 +41,8 @@ const std::string vtp_head = "<VTKFile type=\"PolyData\">\n<PolyData><Piece>\n<P
 
 }  // namespace
 
-TEST_CASE("What is wrong in a surface is named with its line, in one line", "[unit][surfaces]") {
+TEST_CASE("Every fault of a surface gives an error of one line, with the line of the file",
+          "[unit][surfaces]") {
   struct Fault {
     std::string content, says;
   };
@@ -107,7 +108,7 @@ TEST_CASE("What is wrong in a surface is named with its line, in one line", "[un
       {vtp_head + "<DataArray type=\"Float32\" NumberOfComponents=\"3\" "
                   "format=\"binary\">CAAAAAAA</DataArray></Points>"
                   "</Piece></PolyData></VTKFile>",
-       "its header names 8"},
+       "but its header names 8"},
       {vtp_head +
            "<DataArray type=\"Float32\" NumberOfComponents=\"3\" format=\"appended\" offset=\"7\"/></Points>"
            "</Piece></PolyData></VTKFile>",
@@ -120,7 +121,7 @@ TEST_CASE("What is wrong in a surface is named with its line, in one line", "[un
   }
 }
 
-TEST_CASE("A compressed array can not swell beyond what its bound allows", "[unit][surfaces]") {
+TEST_CASE("A compressed array cannot grow beyond its bound", "[unit][surfaces]") {
   // 3 blocks of 4 GB, announced in a header of 24 bytes.
   const std::string array =
       "<DataArray type=\"Float64\" NumberOfComponents=\"3\" "
@@ -132,8 +133,7 @@ TEST_CASE("A compressed array can not swell beyond what its bound allows", "[uni
   CHECK_THAT(message_of_surface(file + array), Contains("bytes found; thin the surface"));
 }
 
-TEST_CASE("The unit is guessed from the size, and a size that is none of a trunk's refused",
-          "[unit][surfaces]") {
+TEST_CASE("The unit is guessed from the size, and a size that no trunk has is refused", "[unit][surfaces]") {
   TemporaryFolder folder;
   const Mesh ball = icosphere(0.1, 2);
   for (const auto& [scale, unit] : {std::pair{1000.0, "mm"}, {100.0, "cm"}, {1.0, "m"}}) {
@@ -150,7 +150,8 @@ TEST_CASE("The unit is guessed from the size, and a size that is none of a trunk
   CHECK_THAT(message_of_surface(obj_of(ball), {"", "LLS", "", ""}), Contains("axes") || Contains("R/L"));
 }
 
-TEST_CASE("Axes that nobody names are those of the subject's other surfaces", "[unit][surfaces]") {
+TEST_CASE("Axes that neither user nor file names are those of the subject's other surfaces",
+          "[unit][surfaces]") {
   TemporaryFolder folder;
   const std::string ball = obj_of(icosphere(0.1, 1));
   const auto axes_of = [&](const std::string& content, const SurfaceOptions& options) {

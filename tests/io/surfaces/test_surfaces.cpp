@@ -161,7 +161,7 @@ std::string deflated(const std::string& data) {
 
 }  // namespace
 
-TEST_CASE("STL as text is read, whatever its line ends and case", "[unit][surfaces]") {
+TEST_CASE("STL as text is read with any line ends and in any case", "[unit][surfaces]") {
   for (const char* line_end : {"\n", "\r\n", "\r"}) {
     const RawSurface s = read_raw_surface("\xEF\xBB\xBF" + text_stl(line_end), "a.stl");
     check_pyramid(s, 12);
@@ -170,7 +170,7 @@ TEST_CASE("STL as text is read, whatever its line ends and case", "[unit][surfac
   }
 }
 
-TEST_CASE("Binary STL is known by its length, though it begins with solid", "[unit][surfaces]") {
+TEST_CASE("Binary STL is recognised by its length, even if it begins with solid", "[unit][surfaces]") {
   const RawSurface s = read_raw_surface(binary_stl(), "b.stl");
   check_pyramid(s, 12);
   CHECK(s.format == "STL, binary");
@@ -178,7 +178,7 @@ TEST_CASE("Binary STL is known by its length, though it begins with solid", "[un
   check_pyramid(read_raw_surface(binary_stl("x") + "trailing", "b.stl"), 12);
 }
 
-TEST_CASE("OBJ is read with its groups, its texture and normal numbers and numbers from behind",
+TEST_CASE("OBJ is read with groups, with texture and normal indexes, and with negative indexes",
           "[unit][surfaces]") {
   const std::string points = "# SPACE=LPS\nmtllib x.mtl\n" + text_points("v ") + "vn 0 0 1\nvt 0 0\n";
   const RawSurface s = read_raw_surface(
@@ -192,7 +192,7 @@ TEST_CASE("OBJ is read with its groups, its texture and normal numbers and numbe
   CHECK(quad.triangles == std::vector<Triangle>{{0, 1, 2}, {0, 2, 3}});
 }
 
-TEST_CASE("Numbers are read as people write them", "[unit][surfaces]") {
+TEST_CASE("Numbers are read with decimal commas, signs and exponents of Fortran", "[unit][surfaces]") {
   const RawSurface s = read_raw_surface("v 1.5D+02 +2,25 -.5\nv 1e2 0 1e-400\nv 0 0 0 1\nf 1 2 3\n", "a.obj");
   CHECK((s.points[0].x() == 150.0 && s.points[0].y() == 2.25 && s.points[0].z() == -0.5));
   CHECK((s.points[1].x() == 100.0 && s.points[1].z() == 0.0));
@@ -276,7 +276,7 @@ TEST_CASE("VTP is read with appended data, raw and in base64", "[unit][surfaces]
   }
 }
 
-TEST_CASE("PML is read: every component of triangles and quadrilaterals, also by reference",
+TEST_CASE("PML is read with every component of triangles and quadrilaterals, also by reference",
           "[unit][surfaces]") {
   std::string text = "<physicalModel unit='mm'>\n<atoms><structuralComponent>\n";
   for (int i = 0; i < 5; ++i) {
@@ -303,7 +303,7 @@ TEST_CASE("PML is read: every component of triangles and quadrilaterals, also by
   CHECK(s.unit == "mm");
 }
 
-TEST_CASE("Real surfaces are read whole", "[shared][surfaces]") {
+TEST_CASE("Real surfaces are read completely", "[shared][surfaces]") {
   const RawSurface diaphragm = read_raw_surface(test::shared_surface("diaphragm.pml"), "diaphragm.pml");
   CHECK(diaphragm.points.size() == 283);
   CHECK(diaphragm.triangles.size() == 498);

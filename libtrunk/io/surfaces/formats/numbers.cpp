@@ -56,7 +56,7 @@ double number_at(const char* at, NumberType type, bool big_endian) noexcept {
     return type.bytes == 4 ? static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(bits)))
                            : std::bit_cast<double>(bits);
   if (type.kind == NumberType::Kind::natural) return static_cast<double>(bits);
-  const auto unused = static_cast<unsigned>(64 - 8 * type.bytes);  // the sign is carried up and down again
+  const auto unused = static_cast<unsigned>(64 - 8 * type.bytes);  // shifting up and down extends the sign
   return static_cast<double>(static_cast<std::int64_t>(bits << unused) >> unused);
 }
 

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-/// Private to the surfaces layer: binary numbers of a file.
+/// Private to the surfaces layer: numbers in binary files.
 namespace trunk {
 
 /// The type of a number in a binary file.
@@ -14,10 +14,11 @@ struct NumberType {
   std::size_t bytes = 0;  // 1, 2, 4 or 8; a real 4 or 8
 };
 
-/// By the names that PLY, VTK and VTP have for it: "float", "Float32", "vtktypeint64", "uchar"; any case.
+/// Returns the type that PLY, VTK or VTP gives a name to, such as "float", "Float32", "vtktypeint64" or
+/// "uchar", in any case; nothing if the name is not known.
 std::optional<NumberType> number_type(std::string_view name) noexcept;
 
-/// The number whose bytes begin at `at`, which are there. Whole numbers beyond 2^53 are rounded.
+/// Returns the number whose bytes begin at `at`. Whole numbers beyond 2^53 are rounded.
 double number_at(const char* at, NumberType type, bool big_endian) noexcept;
 
 }  // namespace trunk

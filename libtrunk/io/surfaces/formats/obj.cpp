@@ -4,22 +4,23 @@
 
 #include "surfaces/formats/raw_surface.hpp"
 #include "surfaces/formats/words.hpp"
+#include "text/message_text.hpp"
 
 namespace trunk {
 namespace {
 
-/// "7", "7/1/2", "7//2" or, counted from the last point, "-1" => the point, from 0.
+/// Returns the point of a corner, counted from 0. The file writes "7", "7/1/2" or "7//2", counted from 1, or
+/// "-1", counted back from the last point.
 double corner_of(std::string_view word, const Words& words, std::size_t points) {
   const std::string_view digits = word.substr(0, word.find('/'));
   long value = 0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
   if (error != std::errc{} || end != digits.data() + digits.size() || value == 0)
-    words.fail(
-        fmt::format("corner {} found; expected the number of a point, from 1; correct it", quoted(word)));
+    words.fail(fmt::format("corner {} found", excerpt(word)), "the number of a point, from 1", "correct it");
   return static_cast<double>(value) + (value > 0 ? -1.0 : static_cast<double>(points));
 }
 
-/// A line that ends in a backslash goes on in the next.
+/// Returns the next word of a face. A line that ends in a backslash continues in the next line.
 std::string_view next_of_face(Words& words) {
   std::string_view word = words.word_of_line();
   while (word == "\\") {

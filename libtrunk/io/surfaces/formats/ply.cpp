@@ -6,6 +6,7 @@
 #include "surfaces/formats/numbers.hpp"
 #include "surfaces/formats/raw_surface.hpp"
 #include "surfaces/formats/words.hpp"
+#include "text/message_text.hpp"
 
 namespace trunk {
 namespace {
@@ -13,7 +14,7 @@ namespace {
 struct PlyProperty {
   std::string name;
   NumberType type;
-  std::optional<NumberType> count;  // of a list
+  std::optional<NumberType> count;  // of a list: the type of its length
 };
 
 struct PlyElement {
@@ -40,22 +41,25 @@ NumberType ply_type(Words& words) {
   const std::string_view name = words.word_of_line();
   const auto type = number_type(name);
   if (!type)
-    words.fail(fmt::format(
-        "property of type {} found; expected one of PLY's, such as float or int; correct it", quoted(name)));
+    words.fail(fmt::format("property of type {} found", excerpt(name)), "a type of PLY, such as float or int",
+               "correct it");
   return *type;
 }
 
 void read_ply_property(Words& words, std::vector<PlyElement>& elements) {
   constexpr std::size_t most_properties = 200;
-  if (elements.empty() || elements.back().properties.size() >= most_properties)
-    words.fail("a property without an element, or one of too many, found; correct the header");
+  if (elements.empty())
+    words.fail("a property found before the first element", "an element", "correct the header");
+  if (elements.back().properties.size() >= most_properties)
+    words.fail("an element with too many properties found", fmt::format("at most {}", most_properties),
+               "remove some");
   PlyProperty property;
   Words list = words;
   if (list.word_of_line() == "list") {
     words = list;
     property.count = ply_type(words);
     if (property.count->kind == NumberType::Kind::real)
-      words.fail("a list whose length is a real number found; expected a whole one; correct the header");
+      words.fail("a list found whose length is a real number", "a whole number", "correct the header");
   }
   property.type = ply_type(words);
   property.name = words.word_of_line();
@@ -66,7 +70,7 @@ PlyHeader read_ply_header(Words& words, SurfaceBuilder& builder) {
   constexpr std::size_t most_elements = 100, most_entries = 100'000'000;
   PlyHeader header;
   for (words.skip_line();; words.skip_line()) {
-    if (words.at_end()) words.fail("the header has no end; expected end_header; export the surface again");
+    if (words.at_end()) words.fail("the header has no end", "end_header", "export the surface again");
     const std::string_view word = words.next();
     if (word == "end_header") return words.skip_line(), header;
     if (word == "format") {
@@ -76,10 +80,11 @@ PlyHeader read_ply_header(Words& words, SurfaceBuilder& builder) {
       else if (name == "binary_big_endian")
         header.coding = PlyCoding::big_endian;
       else if (name != "ascii")
-        words.fail(fmt::format("format {} found; expected ascii, binary_little_endian or binary_big_endian",
-                               quoted(name)));
+        words.fail(fmt::format("format {} found", excerpt(name)),
+                   "ascii, binary_little_endian or binary_big_endian");
     } else if (word == "element") {
-      if (header.elements.size() >= most_elements) words.fail("more than 100 elements found; remove some");
+      if (header.elements.size() >= most_elements)
+        words.fail(fmt::format("more than {} elements found", most_elements), "", "remove some");
       PlyElement element{std::string(words.word_of_line()), 0, {}};
       element.count = words.count("how many there are", most_entries);
       header.elements.push_back(element);
@@ -89,13 +94,13 @@ PlyHeader read_ply_header(Words& words, SurfaceBuilder& builder) {
       Words comment = words;
       builder.remark(comment.rest_of_line());
     } else {
-      words.fail(fmt::format("{} found in the header; expected element, property or end_header; remove it",
-                             quoted(word)));
+      words.fail(fmt::format("{} found in the header", excerpt(word)), "element, property or end_header",
+                 "remove it");
     }
   }
 }
 
-/// The numbers of the body, one after another, whatever the coding.
+/// Reads the numbers of the body, one after another, in any coding.
 class PlyNumbers {
  public:
   PlyNumbers(const std::string& bytes, Words words, PlyCoding coding)
@@ -104,7 +109,8 @@ class PlyNumbers {
   double next(NumberType type) {
     if (coding_ == PlyCoding::text) return words_.number("a number");
     if (bytes_.size() - at_ < type.bytes)
-      words_.fail("the file ends within the numbers its header names; check that the export was finished");
+      words_.fail("the file ends within the numbers its header names", "",
+                  "check that the export was finished");
     const double value = number_at(bytes_.data() + at_, type, coding_ == PlyCoding::big_endian);
     at_ += type.bytes;
     return value;
@@ -113,7 +119,7 @@ class PlyNumbers {
   std::size_t list_length(NumberType type) {
     const double length = next(type);
     if (!(length >= 0.0 && length <= static_cast<double>(most_surface_points)))
-      words_.fail(fmt::format("a list of {} numbers found; expected a length of 0 or more", length));
+      words_.fail(fmt::format("a list of {} numbers found", length), "a length of 0 or more");
     return static_cast<std::size_t>(length);
   }
 
@@ -156,9 +162,9 @@ RawSurface read_ply(const std::string& bytes, const std::string& file) {
     const bool is_vertex = element.name == "vertex", is_face = element.name == "face";
     const PlyProperty* const corners = element.find({"vertex_indices", "vertex_index"});
     if (is_vertex && !(element.find({"x"}) && element.find({"y"}) && element.find({"z"})))
-      builder.fail(0, "the vertices have no x, y and z; expected all three; export the surface again");
+      builder.fail(0, "the vertices have no x, y and z", "all three", "export the surface again");
     if (is_face && !(corners && corners->count))
-      builder.fail(0, "the faces have no list vertex_indices; expected one; export the surface again");
+      builder.fail(0, "the faces have no list vertex_indices", "one", "export the surface again");
     if (is_vertex) vertices = element.count;
     if (element.properties.empty()) continue;
     std::array<double, 3> position{};
@@ -169,7 +175,9 @@ RawSurface read_ply(const std::string& bytes, const std::string& file) {
       if (is_face) builder.polygon(list, numbers.line(), vertices);
     }
   }
-  if (builder.points() < vertices) builder.fail(0, "vertices are missing; export the surface again");
+  if (builder.points() < vertices)
+    builder.fail(0, fmt::format("{} vertices found", builder.points()),
+                 fmt::format("{}, as the header says", vertices), "export the surface again");
   return builder.finish();
 }
 

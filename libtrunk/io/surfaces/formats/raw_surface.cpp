@@ -11,18 +11,18 @@
 
 namespace trunk {
 
-void SurfaceBuilder::fail(std::size_t line, const std::string& text) const {
-  throw InputError(file_, line, text);
+void SurfaceBuilder::fail(std::size_t line, std::string found, std::string expected,
+                          std::string remedy) const {
+  throw InputError({file_, line}, std::move(found), std::move(expected), std::move(remedy));
 }
 
 void SurfaceBuilder::point(const Vec3d& p, std::size_t line) {
   if (points() >= most_surface_points)
-    fail(line, fmt::format("more than {} points found, the most this program reads; thin the surface",
-                           most_surface_points));
+    fail(line, "too many points found", fmt::format("at most {}", most_surface_points), "thin the surface");
   for (const double x : {p.x(), p.y(), p.z()})
     if (!(std::abs(x) < 1e12))
-      fail(line, fmt::format("coordinate {} of point {} found; expected a finite length; remove or mend it",
-                             x, points()));
+      fail(line, fmt::format("coordinate {} of point {} found", x, points()), "a finite length",
+           "remove or correct it");
   surface_.points.push_back(p);
 }
 
@@ -30,14 +30,13 @@ void SurfaceBuilder::polygon(std::span<const double> corners, std::size_t line, 
   for (const double corner : corners)
     if (!(corner >= 0.0 && corner < static_cast<double>(end) && corner == std::floor(corner)))
       fail(line,
-           fmt::format("a polygon has corner {} (counted from 0), but there are {} points; expected one "
-                       "of them; export the surface again",
-                       corner, end));
+           fmt::format("a polygon has corner {} (counted from 0), but there are {} points", corner, end),
+           "one of these points", "export the surface again");
   if (current_part_ < 0) begin_part("");
   for (std::size_t i = 2; i < corners.size(); ++i) {
     if (surface_.triangles.size() >= most_surface_triangles)
-      fail(line, fmt::format("more than {} triangles found, the most this program reads; thin the surface",
-                             most_surface_triangles));
+      fail(line, "too many triangles found", fmt::format("at most {}", most_surface_triangles),
+           "thin the surface");
     surface_.triangles.push_back(
         {static_cast<int>(corners[0]), static_cast<int>(corners[i - 1]), static_cast<int>(corners[i])});
     surface_.part.push_back(current_part_);
@@ -55,10 +54,8 @@ void SurfaceBuilder::cells(std::span<const double> corners, std::span<const doub
   double begin = 0.0;
   for (const double end : ends) {
     if (!(end >= begin && end <= static_cast<double>(corners.size())))
-      fail(0, fmt::format(
-                  "a polygon's corners end at {} in a list of {}; expected them one after another; export "
-                  "the surface again",
-                  end, corners.size()));
+      fail(0, fmt::format("a polygon's corners end at {} in a list of {}", end, corners.size()),
+           "increasing ends within the list", "export the surface again");
     const auto cell = corners.subspan(static_cast<std::size_t>(begin),
                                       static_cast<std::size_t>(end) - static_cast<std::size_t>(begin));
     strips ? strip(cell) : polygon(cell);
@@ -85,10 +82,8 @@ void SurfaceBuilder::remark(std::string_view text) {
 
 RawSurface SurfaceBuilder::finish() {
   if (surface_.triangles.empty())
-    fail(0,
-         fmt::format("{} file with {} points and no triangle; expected a surface of triangles or polygons; "
-                     "export it as one",
-                     surface_.format, points()));
+    fail(0, fmt::format("{} file with {} points and no triangle", surface_.format, points()),
+         "a surface of triangles or polygons", "export it as one");
   return std::move(surface_);
 }
 
@@ -124,7 +119,7 @@ RawSurface read_raw_surface(std::string bytes, const std::string& file) {
   if (begins("ply")) return read_ply(bytes, file);
   if (is_binary_stl(bytes) || begins("solid") || begins("facet")) return read_stl(bytes, file);
   if (looks_like_obj(text)) return read_obj(bytes, file);
-  throw InputError(file, 0, "the format is not known; expected a surface in STL, OBJ, PLY, VTK, VTP or PML");
+  throw InputError({file}, "the format is not known", "a surface in STL, OBJ, PLY, VTK, VTP or PML");
 }
 
 }  // namespace trunk

@@ -11,54 +11,58 @@
 
 namespace trunk {
 
-/// A surface as a file has it: its unit, its axes, nothing repaired. Every corner is a point, every
-/// coordinate finite.
+/// The unrepaired surface of a file, in the unit and the axes of the file. Every corner is an existing point,
+/// and every coordinate is finite.
 struct RawSurface {
   std::string format;               // "STL, binary"
-  std::string axes, unit;           // "LPS", "mm", where the file itself says so; else empty
+  std::string axes, unit;           // "LPS", "mm"; empty if the file does not say it
   std::vector<Vec3d> points;        // [points] in the unit of the file
-  std::vector<Triangle> triangles;  // polygons are cut into fans
+  std::vector<Triangle> triangles;  // polygons are split into fans
   std::vector<int> part;            // [triangles] index into parts
-  std::vector<std::string> parts;   // names of groups, solids, components; one at least
+  std::vector<std::string> parts;   // names of groups, solids or components; at least one
 };
 
-/// The most that is read: our choice, a hundred times what a segmented trunk has.
+/// The largest surface that is read. Our choice: a hundred times the size of a segmented trunk.
 inline constexpr std::size_t most_surface_points = 3'000'000, most_surface_triangles = 3'000'000;
 inline constexpr std::size_t largest_surface_file = 200'000'000;  // bytes
 
-/// Takes the points and polygons of a file one by one. `file` is for messages; line 0 where it has none.
+/// Collects the points and polygons of a file. Messages name `file` and the line, unless the line is 0.
 class SurfaceBuilder {
  public:
   SurfaceBuilder(std::string file, std::string format) : file_(std::move(file)) {
     surface_.format = std::move(format);
   }
 
-  /// Throws InputError for a coordinate that is not finite, and for more than the most.
+  /// Adds a point; throws InputError if a coordinate is not finite or if there are too many points.
   void point(const Vec3d& p, std::size_t line = 0);
   std::size_t points() const noexcept { return surface_.points.size(); }
 
-  /// Corners by index, cut into a fan; fewer than three corners are dropped. Throws InputError unless each is
-  /// one of `end` points (by default those so far).
+  /// Adds a polygon with corners by index, split into a fan. A polygon of fewer than three corners is
+  /// dropped. Throws InputError unless each corner is one of `end` points, by default of the points added so
+  /// far.
   void polygon(std::span<const double> corners, std::size_t line = 0) { polygon(corners, line, points()); }
   void polygon(std::span<const double> corners, std::size_t line, std::size_t end);
 
-  /// Triangles that share two corners with the one before, by index.
+  /// Adds triangles of which each shares two corners with the one before. Corners are given by index.
   void strip(std::span<const double> corners, std::size_t line = 0);
 
-  /// Polygons or strips as VTK lists them: the corners of all, and where each one ends. Throws InputError.
+  /// Adds polygons or strips as VTK lists them: the corners of all of them, and the end of each in this list.
+  /// Throws InputError.
   void cells(std::span<const double> corners, std::span<const double> ends, bool strips);
 
-  /// What follows belongs to a part of that name.
+  /// Begins a part: later polygons belong to the part of that name.
   void begin_part(std::string_view name);
 
-  /// What a comment or title says: "SPACE=LPS" as 3D Slicer writes it.
+  /// Takes the axes from a comment or title, where 3D Slicer writes "SPACE=LPS".
   void remark(std::string_view text);
   void unit(std::string name) { surface_.unit = std::move(name); }
 
-  /// The finished surface. Throws InputError without triangles.
+  /// Returns the surface; throws InputError if it has no triangles.
   RawSurface finish();
 
-  [[noreturn]] void fail(std::size_t line, const std::string& text) const;
+  /// Throws InputError at a line.
+  [[noreturn]] void fail(std::size_t line, std::string found, std::string expected = "",
+                         std::string remedy = "") const;
 
  private:
   std::string file_;
@@ -66,7 +70,7 @@ class SurfaceBuilder {
   int current_part_ = -1;
 };
 
-/// One a format; `bytes` is the whole file, `file` its name for messages. All throw InputError.
+/// Readers of one format each. `bytes` is the whole file, and messages name `file`. All throw InputError.
 RawSurface read_stl(const std::string& bytes, const std::string& file);
 RawSurface read_obj(const std::string& bytes, const std::string& file);
 RawSurface read_ply(const std::string& bytes, const std::string& file);
@@ -74,7 +78,7 @@ RawSurface read_vtk(const std::string& bytes, const std::string& file);  // lega
 RawSurface read_vtp(const std::string& bytes, const std::string& file);
 RawSurface read_pml_surface(const std::string& bytes, const std::string& file);
 
-/// Whatever the format is: known by the content, not by the name of the file.
+/// Reads a surface in any of these formats, which it recognises by the content; throws InputError.
 RawSurface read_raw_surface(std::string bytes, const std::string& file);
 
 }  // namespace trunk

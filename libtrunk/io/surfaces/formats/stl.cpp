@@ -5,6 +5,7 @@
 #include "surfaces/formats/numbers.hpp"
 #include "surfaces/formats/raw_surface.hpp"
 #include "surfaces/formats/words.hpp"
+#include "text/message_text.hpp"
 
 namespace trunk {
 namespace {
@@ -16,15 +17,16 @@ std::size_t bytes_announced(std::string_view bytes) {
   return stl_header + stl_facet * static_cast<std::size_t>(number_at(bytes.data() + 80, stl_count, false));
 }
 
-/// Every facet has points of its own here: equal ones are merged by the repair.
+/// Reads binary STL. Every facet has its own points here; the repair merges equal ones.
 RawSurface read_binary_stl(const std::string& bytes, const std::string& file) {
   SurfaceBuilder builder(file, "STL, binary");
   builder.remark(std::string_view(bytes).substr(0, 80));
   const std::size_t announced = bytes_announced(bytes);
   if (announced > bytes.size())
-    builder.fail(0, fmt::format("a binary STL of {} bytes found; expected {} for the {} triangles its header "
-                                "names; check that the export was finished",
-                                bytes.size(), announced, (announced - stl_header) / stl_facet));
+    builder.fail(0, fmt::format("a binary STL of {} bytes found", bytes.size()),
+                 fmt::format("{} for the {} triangles its header names", announced,
+                             (announced - stl_header) / stl_facet),
+                 "check that the export was finished");
   for (std::size_t at = stl_header; at < announced; at += stl_facet) {
     std::array<double, 3> corners;
     for (std::size_t corner = 0; corner < 3; ++corner) {
@@ -57,13 +59,13 @@ RawSurface read_text_stl(const std::string& bytes, const std::string& file) {
       builder.polygon(loop, words.line());
       loop.clear();
     } else if (same_word(word, "facet") || same_word(word, "endsolid")) {
-      words.skip_line();  // the normal is often nan; the corners tell it better
+      words.skip_line();  // the normal is often nan; the corners give it anyway
     } else if (!same_word(word, "outer") && !same_word(word, "loop") && !same_word(word, "endfacet")) {
-      words.fail(fmt::format(
-          "{} found; expected facet, vertex, endloop or endsolid of an STL; export it again", quoted(word)));
+      words.fail(fmt::format("{} found", excerpt(word)), "facet, vertex, endloop or endsolid of an STL",
+                 "export it again");
     }
   }
-  if (!loop.empty()) words.fail("the file ends within a facet; check that the export was finished");
+  if (!loop.empty()) words.fail("the file ends within a facet", "", "check that the export was finished");
   return builder.finish();
 }
 

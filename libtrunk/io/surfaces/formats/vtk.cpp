@@ -3,13 +3,14 @@
 #include "surfaces/formats/numbers.hpp"
 #include "surfaces/formats/raw_surface.hpp"
 #include "surfaces/formats/words.hpp"
+#include "text/message_text.hpp"
 
 namespace trunk {
 namespace {
 
 constexpr std::size_t most_corners = 4 * most_surface_triangles;
 
-/// The legacy format of VTK: POLYDATA, text or binary (then big-endian), versions 1 to 5.
+/// Reads the legacy format of VTK: POLYDATA as text or binary (big-endian), versions 1 to 5.
 class VtkReader {
  public:
   VtkReader(const std::string& bytes, const std::string& file)
@@ -29,10 +30,10 @@ class VtkReader {
       else if (same_word(word, "METADATA"))
         skip_to_blank_line();
       else if (same_word(word, "POINT_DATA") || same_word(word, "CELL_DATA"))
-        break;  // the surface comes before them
+        break;  // the surface stands before these
       else
-        words_.fail(fmt::format("{} found; expected POINTS, POLYGONS or TRIANGLE_STRIPS; export it again",
-                                quoted(word)));
+        words_.fail(fmt::format("{} found", excerpt(word)), "POINTS, POLYGONS or TRIANGLE_STRIPS",
+                    "export it again");
     }
     return builder_.finish();
   }
@@ -44,11 +45,13 @@ class VtkReader {
     const std::string_view coding = words_.rest_of_line();
     binary_ = same_word(coding, "BINARY");
     if (!binary_ && !same_word(coding, "ASCII"))
-      words_.fail(fmt::format("{} found; expected ASCII or BINARY in the third line", quoted(coding)));
-    if (!same_word(words_.next(), "DATASET")) words_.fail("no DATASET found after the header; expected one");
+      words_.fail(fmt::format("{} found", excerpt(coding)), "ASCII or BINARY in the third line",
+                  "export the surface again");
+    if (!same_word(words_.next(), "DATASET"))
+      words_.fail("no DATASET found after the header", "DATASET POLYDATA", "export the surface again");
     if (const std::string_view kind = words_.rest_of_line(); !same_word(kind, "POLYDATA"))
-      words_.fail(fmt::format("DATASET {} found; expected POLYDATA; extract the surface and save that",
-                              quoted(kind)));
+      words_.fail(fmt::format("DATASET {} found", excerpt(kind)), "POLYDATA",
+                  "extract the surface and save that");
   }
 
   std::vector<double> numbers(std::size_t count, NumberType type) {
@@ -63,12 +66,13 @@ class VtkReader {
     return values;
   }
 
-  /// The last word of a line; numbers of that type follow in the next.
+  /// Reads the last word of a line, which is the type of the numbers that follow.
   NumberType type_at_end_of_line() {
     const std::string_view name = words_.rest_of_line();
     const auto type = number_type(name);
     if (!type)
-      words_.fail(fmt::format("numbers of type {} found; expected float, double or int", quoted(name)));
+      words_.fail(fmt::format("numbers of type {} found", excerpt(name)), "float, double or int",
+                  "export the surface again");
     return *type;
   }
 
@@ -85,8 +89,8 @@ class VtkReader {
     for (std::size_t i = 0; i < all.size(); i += 3) builder_.point({all[i], all[i + 1], all[i + 2]});
   }
 
-  /// "POLYGONS cells numbers", then for each cell how many corners it has and these; or, from version 5 on,
-  /// "POLYGONS offsets corners", then OFFSETS and CONNECTIVITY.
+  /// Reads "POLYGONS cells numbers", followed by the number of corners and the corners of each cell. From
+  /// version 5 on, it is "POLYGONS offsets corners", followed by OFFSETS and CONNECTIVITY.
   void read_cells(bool wanted, bool strips) {
     const std::size_t first = words_.count("how many polygons there are", most_corners);
     const std::size_t second = words_.count("how many numbers they take", most_corners);
@@ -102,8 +106,9 @@ class VtkReader {
       for (std::size_t i = 0; i < listed.size();) {
         const double count = listed[i++];
         if (!(count >= 0.0 && count <= static_cast<double>(listed.size() - i)))
-          words_.fail(fmt::format("a polygon of {} corners found where {} numbers are left; export it again",
-                                  count, listed.size() - i));
+          words_.fail(fmt::format("a polygon of {} corners found where {} numbers are left", count,
+                                  listed.size() - i),
+                      "", "export it again");
         const auto next = i + static_cast<std::size_t>(count);
         for (; i < next; ++i) corners.push_back(listed[i]);
         ends.push_back(static_cast<double>(corners.size()));
@@ -114,14 +119,15 @@ class VtkReader {
 
   std::vector<double> named_numbers(std::string_view name, std::size_t count) {
     if (!same_word(words_.next(), name))
-      words_.fail(fmt::format("no {} found where expected; export it again", name));
+      words_.fail(fmt::format("no {} found after the cells", name), "", "export it again");
     const NumberType type = type_at_end_of_line();
     return numbers(count, type);
   }
 
   void skip_to_points() {
     const std::size_t points = bytes_.find("\nPOINTS", words_.position());
-    if (points == std::string::npos) words_.fail("no POINTS found after FIELD; expected them");
+    if (points == std::string::npos)
+      words_.fail("no POINTS found after FIELD", "POINTS", "export the surface again");
     words_.bytes(points - words_.position());
   }
 

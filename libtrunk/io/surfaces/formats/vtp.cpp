@@ -6,7 +6,7 @@
 namespace trunk {
 namespace {
 
-/// A VTK XML file taken apart: its XML without the appended data, which are no XML where they are raw.
+/// The two parts of a VTK XML file: its XML, and its appended data, which are not XML if they are raw.
 struct VtpText {
   std::string xml;
   std::string_view appended;
@@ -28,11 +28,11 @@ VtpText vtp_text(const std::string& bytes) {
 pugi::xml_node array_named(const pml::XmlDocument& xml, pugi::xml_node parent, std::string_view name) {
   for (const pugi::xml_node array : parent.children("DataArray"))
     if (name.empty() || name == array.attribute("Name").as_string()) return array;
-  xml.fail(parent, fmt::format("<{}> without an array {}; expected one; export the surface again",
-                               parent.name(), name));
+  xml.fail(parent, fmt::format("<{}> without an array {}", parent.name(), name), "one",
+           "export the surface again");
 }
 
-/// Corners of one piece count from its own points.
+/// Reads the cells of a piece. Its corners are counted from its own points.
 void read_vtp_cells(const pml::XmlDocument& xml, const VtpArrays& arrays, pugi::xml_node parent, bool strips,
                     double first_point, SurfaceBuilder& builder) {
   if (!parent || !parent.child("DataArray")) return;
@@ -50,7 +50,7 @@ void read_vtp_piece(const pml::XmlDocument& xml, const VtpArrays& arrays, pugi::
   if (!points || !points.child("DataArray")) return;  // an empty piece
   const pugi::xml_node array = array_named(xml, points, "");
   if (array.attribute("NumberOfComponents").as_int(1) != 3)
-    xml.fail(array, "points that have not 3 components found; export the surface again");
+    xml.fail(array, "points found that do not have 3 components", "", "export the surface again");
   const auto first = static_cast<double>(builder.points());
   const std::vector<double> all = arrays.numbers(array, 3 * most_surface_points);
   for (std::size_t i = 0; i + 2 < all.size(); i += 3)
@@ -66,7 +66,8 @@ RawSurface read_vtp(const std::string& bytes, const std::string& file) {
   const pml::XmlDocument xml(text.xml, file, "VTP");
   const std::string_view type = xml.root().attribute("type").as_string();
   if (xml.root().name() != std::string_view("VTKFile") || type != "PolyData")
-    xml.fail(xml.root(), "a VTK file found that is not of type PolyData; extract the surface and save that");
+    xml.fail(xml.root(), "a VTK file found that is not of type PolyData", "",
+             "extract the surface and save that");
   SurfaceBuilder builder(file, "VTP");
   builder.remark(std::string_view(text.xml).substr(0, 2000));
   const VtpArrays arrays(xml, text.appended, text.raw);

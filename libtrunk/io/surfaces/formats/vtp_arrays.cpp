@@ -10,13 +10,14 @@
 #include "surfaces/formats/numbers.hpp"
 #include "surfaces/formats/raw_surface.hpp"
 #include "surfaces/formats/words.hpp"
+#include "text/message_text.hpp"
 
 namespace trunk {
 namespace {
 
 constexpr std::string_view base64_digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
-/// Up to `most` bytes of base64, which may consist of several padded parts, one after another.
+/// Returns up to `most` bytes of base64, which may consist of several padded parts.
 std::string from_base64(std::string_view text, std::size_t most) {
   static const std::array<int, 256> value_of = [] {
     std::array<int, 256> values;
@@ -45,7 +46,7 @@ std::string from_base64(std::string_view text, std::size_t most) {
   return bytes;
 }
 
-/// Beside its data an array may hold elements of information.
+/// Returns the data of an array without its elements of information.
 std::string text_beside_elements(pugi::xml_node array) {
   std::string text;
   for (const pugi::xml_node child : array.children())
@@ -65,12 +66,13 @@ VtpArrays::VtpArrays(const pml::XmlDocument& xml, std::string_view appended, boo
                          header = xml.root().attribute("header_type").as_string("UInt32"),
                          compressor = xml.root().attribute("compressor").as_string();
   if (order != "LittleEndian" && order != "BigEndian")
-    xml.fail(xml.root(), "byte_order is neither LittleEndian nor BigEndian; correct it");
+    xml.fail(xml.root(), fmt::format("byte_order is {}", excerpt(order)), "LittleEndian or BigEndian",
+             "correct it");
   if (header != "UInt32" && header != "UInt64")
-    xml.fail(xml.root(), "header_type is neither UInt32 nor UInt64; correct it");
+    xml.fail(xml.root(), fmt::format("header_type is {}", excerpt(header)), "UInt32 or UInt64", "correct it");
   if (!compressor.empty() && compressor != "vtkZLibDataCompressor")
-    xml.fail(xml.root(),
-             "a compressor other than vtkZLibDataCompressor found; save the surface with that or none");
+    xml.fail(xml.root(), "a compressor other than vtkZLibDataCompressor found", "",
+             "save the surface with this compressor or with none");
   big_endian_ = order == "BigEndian";
   header_bytes_ = header == "UInt32" ? 4 : 8;
   compressed_ = !compressor.empty();
@@ -78,51 +80,53 @@ VtpArrays::VtpArrays(const pml::XmlDocument& xml, std::string_view appended, boo
 
 double VtpArrays::header(pugi::xml_node array, std::string_view decoded, std::size_t index) const {
   if (decoded.size() < (index + 1) * header_bytes_)
-    xml_.fail(array, "the data of this array end within their header; check that the export was finished");
+    xml_.fail(array, "the data of this array end within their header", "",
+              "check that the export was finished");
   return number_at(decoded.data() + index * header_bytes_, {NumberType::Kind::natural, header_bytes_},
                    big_endian_);
 }
 
-/// [bytes][data]
+/// Reads [bytes][data].
 std::string VtpArrays::plain_bytes(pugi::xml_node array, const Coded& coded, std::size_t most_bytes) const {
   const double size = header(array, coded.first(header_bytes_), 0);
   if (size > static_cast<double>(most_bytes))
-    xml_.fail(array, fmt::format("an array of {} bytes found; expected {} at most; thin the surface", size,
-                                 most_bytes));
+    xml_.fail(array, fmt::format("an array of {} bytes found", size), fmt::format("{} at most", most_bytes),
+              "thin the surface");
   const std::string all = coded.first(header_bytes_ + static_cast<std::size_t>(size));
   std::string data = all.substr(std::min(header_bytes_, all.size()));
   if (static_cast<double>(data.size()) != size)
-    xml_.fail(array,
-              fmt::format("{} bytes found in this array, its header names {}; check that the export was "
-                          "finished",
-                          data.size(), size));
+    xml_.fail(array, fmt::format("{} bytes found in this array, but its header names {}", data.size(), size),
+              "", "check that the export was finished");
   return data;
 }
 
-/// [blocks][bytes a block][bytes of the last one, 0: whole][compressed bytes, one a block][blocks]
+/// Reads [number of blocks][bytes per block][bytes of the last block, 0: a full one][compressed bytes of each
+/// block][blocks].
 std::string VtpArrays::inflated_bytes(pugi::xml_node array, const Coded& coded,
                                       std::size_t most_bytes) const {
   constexpr double most_blocks = 1e6;
   const double count = header(array, coded.first(header_bytes_), 0);
   if (count > most_blocks)
-    xml_.fail(array, "an array of more than a million blocks found; save it with larger ones");
+    xml_.fail(array, "an array of more than a million blocks found", "", "save it with larger blocks");
   const auto blocks = static_cast<std::size_t>(count);
   const std::string head = coded.first((3 + blocks) * header_bytes_);
   const double whole = header(array, head, 1), last = blocks > 0 ? header(array, head, 2) : 0.0;
   double packed = 0.0;
   for (std::size_t i = 0; i < blocks; ++i) packed += header(array, head, 3 + i);
   if (packed > static_cast<double>(largest_surface_file))
-    xml_.fail(array,
-              "the header of this array names more bytes than there are; check that the export was finished");
+    xml_.fail(array, "the header of this array names more bytes than there are", "",
+              "check that the export was finished");
   const std::string all = coded.first(head.size() + static_cast<std::size_t>(packed));
   if (all.size() < head.size() + static_cast<std::size_t>(packed))
-    xml_.fail(array, "the compressed data of this array are cut short; check that the export was finished");
+    xml_.fail(array, "the compressed data of this array are cut short", "",
+              "check that the export was finished");
   std::string data;
   std::size_t at = head.size();
   for (std::size_t i = 0; i < blocks; ++i) {
     const double size = i + 1 == blocks && last > 0.0 ? last : whole;
     if (size + static_cast<double>(data.size()) > static_cast<double>(most_bytes))
-      xml_.fail(array, fmt::format("an array of more than {} bytes found; thin the surface", most_bytes));
+      xml_.fail(array, fmt::format("an array of more than {} bytes found", most_bytes), "",
+                "thin the surface");
     const auto bytes = static_cast<std::size_t>(header(array, head, 3 + i));
     data += inflated_block(array, std::string_view(all).substr(at, bytes), static_cast<std::size_t>(size));
     at += bytes;
@@ -136,7 +140,7 @@ std::string VtpArrays::inflated_block(pugi::xml_node array, std::string_view pac
   const int outcome = uncompress(reinterpret_cast<Bytef*>(block.data()), &length,
                                  reinterpret_cast<const Bytef*>(packed.data()), packed.size());
   if (outcome != Z_OK || length != block.size())
-    xml_.fail(array, "the compressed data of this array are damaged; export the surface again");
+    xml_.fail(array, "the compressed data of this array are damaged", "", "export the surface again");
   return block;
 }
 
@@ -152,17 +156,21 @@ std::vector<double> VtpArrays::numbers(pugi::xml_node array, std::size_t most) c
     Words words(text, "");
     while (!words.at_end()) {
       if (values.size() >= most)
-        xml_.fail(array, fmt::format("more than {} numbers found; thin the surface", most));
+        xml_.fail(array, fmt::format("more than {} numbers found", most), "", "thin the surface");
       try {
         values.push_back(words.number("a number"));
       } catch (const InputError& error) {
-        xml_.fail(array, error.mistake().found);
+        Mistake mistake = error.mistake();
+        mistake.at = xml_.place(array);
+        throw InputError(std::move(mistake));
       }
     }
     return values;
   }
   const auto type = number_type(array.attribute("type").as_string());
-  if (!type) xml_.fail(array, "the type of this array is none of VTK's, such as Float32; correct it");
+  if (!type)
+    xml_.fail(array, fmt::format("an array of type {} found", excerpt(array.attribute("type").as_string())),
+              "a type of VTK, such as Float32", "correct it");
   std::string data;
   if (format == "binary") {
     const std::string text = text_beside_elements(array);
@@ -170,14 +178,13 @@ std::vector<double> VtpArrays::numbers(pugi::xml_node array, std::size_t most) c
   } else if (format == "appended") {
     const double offset = static_cast<double>(xml_.index(array, "offset"));
     if (offset >= static_cast<double>(appended_.size()))
-      xml_.fail(array, fmt::format(
-                           "offset {} found in appended data of {} bytes; check that the export was finished",
-                           offset, appended_.size()));
+      xml_.fail(array, fmt::format("offset {} found in appended data of {} bytes", offset, appended_.size()),
+                "", "check that the export was finished");
     data =
         bytes(array, {appended_.substr(static_cast<std::size_t>(offset)), appended_raw_}, most * type->bytes);
   } else {
-    xml_.fail(array,
-              "a format found that is not ascii, binary or appended; save the surface with one of these");
+    xml_.fail(array, fmt::format("format {} found", excerpt(format)), "ascii, binary or appended",
+              "export the surface again");
   }
   for (std::size_t at = 0; at + type->bytes <= data.size(); at += type->bytes)
     values.push_back(number_at(data.data() + at, *type, big_endian_));

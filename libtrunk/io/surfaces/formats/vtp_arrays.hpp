@@ -6,24 +6,24 @@
 
 #include "pml/xml_document.hpp"
 
-/// Private to the surfaces layer: the arrays of a VTK XML file, however they are coded.
+/// Private to the surfaces layer: the arrays of a VTK XML file, in any coding.
 namespace trunk {
 
 class VtpArrays {
  public:
-  /// `appended` is what follows the underscore of AppendedData. Throws InputError for a byte order, header
-  /// type or compressor that is not read.
+  /// `appended` is the text after the underscore of AppendedData. Throws InputError if the byte order, the
+  /// type of headers or the compressor is not supported.
   VtpArrays(const pml::XmlDocument& xml, std::string_view appended, bool appended_raw);
 
-  /// The numbers of a DataArray, `most` at most. Throws InputError.
+  /// Returns the numbers of a DataArray; throws InputError if they are damaged or more than `most`.
   std::vector<double> numbers(pugi::xml_node array, std::size_t most) const;
 
  private:
-  /// Bytes as they are, or in base64.
+  /// Raw bytes, or bytes in base64.
   struct Coded {
     std::string_view text;
     bool raw = false;
-    std::string first(std::size_t count) const;  ///< fewer where there are no more
+    std::string first(std::size_t count) const;  ///< fewer if the text ends before
   };
 
   std::string bytes(pugi::xml_node array, const Coded& coded, std::size_t most_bytes) const;

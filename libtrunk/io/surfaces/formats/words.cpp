@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "errors/input_error.hpp"
+#include "text/message_text.hpp"
 
 namespace trunk {
 namespace {
@@ -15,13 +16,6 @@ constexpr const char* any_white = " \t\v\f\r\n";
 constexpr const char* within_line = " \t\v\f";
 
 }  // namespace
-
-std::string quoted(std::string_view word) {
-  std::string shown(word.substr(0, 40));
-  for (char& c : shown)
-    if (c < 0x20 || c == 0x7F) c = '?';
-  return "'" + shown + (word.size() > 40 ? "...'" : "'");
-}
 
 bool same_word(std::string_view a, std::string_view b) noexcept {
   const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
@@ -72,7 +66,7 @@ std::string_view Words::rest_of_line() {
 std::string_view Words::bytes(std::size_t count) {
   line_ = 0;
   if (text_.size() - position_ < count)
-    fail("the file ends within its binary numbers; check that the export was finished");
+    fail("the file ends within its binary numbers", "", "check that the export was finished");
   const std::string_view taken = text_.substr(position_, count);
   position_ += count;
   return taken;
@@ -88,8 +82,8 @@ double Words::number_of_line(const char* what) {
 
 double Words::number(std::string_view word, const char* what) const {
   if (word.empty())
-    fail(fmt::format("the {} ends here; expected {}; check that the export was finished",
-                     position_ < text_.size() ? "line" : "file", what));
+    fail(fmt::format("the {} ends here", position_ < text_.size() ? "line" : "file"), what,
+         "check that the export was finished");
   char plain[64];
   const std::size_t length = std::min(word.size(), sizeof plain);
   for (std::size_t i = 0; i < length; ++i)
@@ -98,14 +92,14 @@ double Words::number(std::string_view word, const char* what) const {
   double value = 0.0;
   const auto [end, error] = std::from_chars(begin, plain + length, value);
   if (word.size() > sizeof plain || error == std::errc::invalid_argument || end != plain + length)
-    fail(fmt::format("{} found; expected {}; correct it", quoted(word), what));
+    fail(fmt::format("{} found", excerpt(word)), what, "correct it");
   if (error == std::errc::result_out_of_range) {  // a denormal is 0 here, an overflow an error
     if (word.find('-', 1) != std::string_view::npos) return 0.0;
     value = HUGE_VAL;
   }
   if (!std::isfinite(value))
-    fail(fmt::format("{} found; expected {}, a finite number; remove the point or mend it", quoted(word),
-                     what));
+    fail(fmt::format("{} found", excerpt(word)), fmt::format("{}, a finite number", what),
+         "remove or correct the point");
   return value;
 }
 
@@ -114,13 +108,13 @@ std::size_t Words::count(const char* what, std::size_t most) {
   std::size_t value = 0;
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
   if (error != std::errc{} || end != word.data() + word.size() || value > most)
-    fail(fmt::format("{} found; expected {}, a whole number of 0 to {}; correct or thin it", quoted(word),
-                     what, most));
+    fail(fmt::format("{} found", excerpt(word)), fmt::format("{}, a whole number of 0 to {}", what, most),
+         "correct it, or thin the surface");
   return value;
 }
 
-void Words::fail(const std::string& text) const {
-  throw InputError(file_, line_, text);
+void Words::fail(std::string found, std::string expected, std::string remedy) const {
+  throw InputError({file_, line_}, std::move(found), std::move(expected), std::move(remedy));
 }
 
 }  // namespace trunk
