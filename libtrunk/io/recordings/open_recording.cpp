@@ -1,5 +1,7 @@
 #include "recordings/open_recording.hpp"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <fstream>
 #include <string>
@@ -18,22 +20,18 @@ using namespace std::string_view_literals;
 constexpr std::size_t largest_text = 200'000'000;
 
 struct ForeignFormat {
-  std::string_view start, what;
+  std::string_view start, what, remedy;
 };
 
 constexpr std::array foreign_formats{
-    ForeignFormat{"PK\x03\x04"sv,
-                  "a spreadsheet (.xlsx, .ods) or another zip archive; expected a text table, "
-                  "MATLAB, EDF or BDF; in the spreadsheet, save as CSV"},
-    ForeignFormat{"\xD0\xCF\x11\xE0"sv,
-                  "an old spreadsheet (.xls); expected a text table, MATLAB, EDF or BDF; save "
-                  "it as CSV"},
-    ForeignFormat{"\x1F\x8B"sv, "compressed by gzip; expected the file itself; unpack it with gunzip"},
-    ForeignFormat{"\x89HDF"sv,
-                  "a binary file (HDF5, as results of trunk are); expected text, MATLAB, EDF or BDF"},
-    ForeignFormat{"%PDF"sv, "a PDF; expected text, MATLAB, EDF or BDF; export the numbers"}};
+    ForeignFormat{"PK\x03\x04"sv, "a spreadsheet (.xlsx, .ods) or another zip archive",
+                  "save the sheet as CSV"},
+    ForeignFormat{"\xD0\xCF\x11\xE0"sv, "an old spreadsheet (.xls)", "save the sheet as CSV"},
+    ForeignFormat{"\x1F\x8B"sv, "a file compressed by gzip", "unpack it with gunzip"},
+    ForeignFormat{"\x89HDF"sv, "a binary file (HDF5, like results of trunk)", "give the recording"},
+    ForeignFormat{"%PDF"sv, "a PDF", "export the numbers"}};
 
-// Empty for what is no ordinary file, such as a pipe: that can be read but once.
+// Returns the first bytes of a file; "" for a pipe, which can be read only once.
 std::string start_of(const std::filesystem::path& path) {
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(path, ignored)) return {};
@@ -52,7 +50,8 @@ std::unique_ptr<Recording> open_recording(const std::filesystem::path& path) {
   if (is_edf(start)) return open_edf(path);
   for (const ForeignFormat& format : foreign_formats)
     if (start.starts_with(format.start))
-      throw InputError(path.string(), 0, "this is " + std::string(format.what));
+      throw InputError({path.string()}, fmt::format("this is {}", format.what),
+                       "a text table, MATLAB, EDF or BDF", std::string(format.remedy));
   return recording_of_text(path.string(), read_text_file(path, largest_text));
 }
 

@@ -7,9 +7,9 @@
 
 namespace trunk {
 
-/// Opens a file of recorded channels by its content, whatever its name: a MAT-file, EDF or BDF, else a table
-/// in text of at most 200 MB. Throws InputError: cannot be read, is another known format (spreadsheet,
-/// archive, HDF5).
+/// Opens a file of recorded channels and recognises its format by the content: a MAT-file, EDF or BDF, or
+/// else a text table of at most 200 MB. Throws InputError if the file cannot be read, or if it has another
+/// known format, such as a spreadsheet, an archive or HDF5.
 std::unique_ptr<Recording> open_recording(const std::filesystem::path& path);
 
 }  // namespace trunk

@@ -10,39 +10,40 @@
 
 namespace trunk {
 
-/// What a file says of one recorded quantity.
+/// The description of one recorded quantity in a file.
 struct Channel {
-  std::string name;    ///< as in the file; its number, from 1, where the file names none
-  std::string unit;    ///< where the file gives it apart from the name; else empty
-  double rate_hz = 0;  ///< samples a second; 0: the file does not say
+  std::string name;    ///< as in the file; a number from 1 if the file has no names
+  std::string unit;    ///< if the file gives it separately from the name; else empty
+  double rate_hz = 0;  ///< samples per second; 0: the file does not say it
 };
 
-/// Samples of chosen channels, as they are in the file.
+/// Samples of chosen channels, in the units of the file.
 struct Samples {
   struct Flaw {
     std::size_t sample;
-    Mistake mistake;  ///< why it has no number
+    Mistake mistake;  ///< why the sample has no number
   };
-  std::vector<std::vector<double>> values;  ///< [chosen][samples]; NaN where there is no number
-  std::vector<std::uint32_t> lines;         ///< [samples] from 1; empty where the file has no lines
-  std::vector<Flaw> flaws;                  ///< why there is no number, by sample; may be incomplete
+  std::vector<std::vector<double>> values;  ///< [chosen][samples]; NaN if there is no number
+  std::vector<std::uint32_t> lines;         ///< [samples] from 1; empty if the file has no lines
+  std::vector<Flaw> flaws;                  ///< in the order of samples; may be incomplete
 };
 
-/// A file that holds channels: the one form in which traces of all formats are read. Nothing in it is
-/// trusted: values may be NaN, names may be any bytes.
+/// A file with channels: the common form of recordings in all formats. Nothing in it is checked: values may
+/// be NaN, and names may be any bytes.
 class Recording {
  public:
-  static constexpr std::size_t max_samples = 10'000'000;  ///< a channel
+  static constexpr std::size_t max_samples = 10'000'000;  ///< of one channel
 
   virtual ~Recording() = default;
 
-  /// The samples of some channels, all of one length. Throws InputError.
+  /// Returns the samples of some channels, which all have the same number; throws InputError if they cannot
+  /// be read.
   virtual Samples read(std::span<const std::size_t> chosen) = 0;
 
-  std::string source;             ///< file name, for messages
-  std::string word = "column";    ///< what the format calls a channel
-  std::size_t header_line = 0;    ///< where the channels are named; 0: the format has no lines
-  std::string first_cell;         ///< of a table without header; empty: the channels are named
+  std::string source;           ///< file name, for messages
+  std::string word = "column";  ///< the name that the format has for a channel
+  std::size_t header_line = 0;  ///< the line that names the channels; 0: the format has no lines
+  std::string first_cell;  ///< the first number of a table without header; empty: the channels have names
   std::vector<Channel> channels;  ///< at least one
 };
 

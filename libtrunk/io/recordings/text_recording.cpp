@@ -1,5 +1,7 @@
 #include "recordings/text_recording.hpp"
 
+#include <fmt/format.h>
+
 #include <limits>
 #include <optional>
 
@@ -67,12 +69,12 @@ class TextRecording : public Recording {
   ClockTime clock(const DelimitedText::Row& row, std::size_t column) const {
     const std::string_view cell = table_.text(row, column);
     if (const auto time = clock_time(cell)) return *time;
-    throw InputError(source, row.line,
-                     excerpt(cell) + " found in column " + excerpt(channels[column].name) +
-                         "; expected a time such as 14:05:07.25; correct or remove the row");
+    throw InputError({source, row.line},
+                     fmt::format("{} found in column {}", excerpt(cell), excerpt(channels[column].name)),
+                     "a time such as 14:05:07.25", "correct or remove the row");
   }
 
-  // Clocks are known by the first filled cell of a column, within the first hundred rows.
+  // Finds columns of clock times by their first filled cell within the first hundred rows.
   void look_at_first_rows() {
     is_clock_.assign(channels.size(), false);
     std::vector<bool> seen(channels.size(), false);
@@ -87,12 +89,12 @@ class TextRecording : public Recording {
           if (is_clock_[column]) channels[column].unit = "s";
         }
       }
-    } catch (const InputError&) {  // told when the samples are read
+    } catch (const InputError&) {  // it is thrown again when the samples are read
     }
   }
 
   DelimitedText table_;
-  std::vector<bool> is_clock_;  // of the channels
+  std::vector<bool> is_clock_;  // [channels]
 };
 
 }  // namespace

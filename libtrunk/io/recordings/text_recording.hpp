@@ -7,9 +7,9 @@
 
 namespace trunk {
 
-/// A table in text (see DelimitedText) as a recording. A column whose first filled cell is a clock time (see
-/// clock_time) is read as seconds since its first, and its unit is "s". Cells without a number are flaws, at
-/// most 10000. Throws InputError as DelimitedText does for header and rows.
+/// Returns a text table (see DelimitedText) as a recording. If the first filled cell of a column is a clock
+/// time, the column is read in seconds since its first time, and its unit is "s". Cells without a number are
+/// flaws. Throws as DelimitedText does, and for more than 10000 flaws.
 std::unique_ptr<Recording> recording_of_text(std::string source, std::string text);
 
 }  // namespace trunk

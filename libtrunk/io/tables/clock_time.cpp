@@ -11,7 +11,7 @@ namespace {
 
 constexpr double day_s = 86400, hour_s = 3600;
 
-// Takes digits from the front: at least one, at most `most`.
+// Takes from one to `most` digits from the front.
 std::optional<int> take_number(std::string_view& text, std::size_t most) {
   int value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + std::min(most, text.size()), value);
@@ -26,7 +26,8 @@ bool take(std::string_view& text, char c) {
   return true;
 }
 
-// A date at the front with the 'T' or blanks after it => days since 1970; the text stays where there is none.
+// Takes a date and the 'T' or the spaces after it from the front. Returns the days since 1970. If there is no
+// date, it returns nothing and leaves the text unchanged.
 std::optional<double> take_date(std::string_view& text) {
   std::string_view rest = text;
   const auto first = take_number(rest, 4);
@@ -40,7 +41,8 @@ std::optional<double> take_date(std::string_view& text) {
   if (!third || rest.empty() || (rest.front() != ' ' && rest.front() != 'T')) return std::nullopt;
   rest.remove_prefix(1);
   while (take(rest, ' ')) continue;
-  // Day first unless the year is; month and day are not told apart where both fit, which no difference shows.
+  // The day comes first, unless the year does. If month and day may be swapped, the differences of times
+  // within one day are still right.
   const bool year_first = *first > 31;
   const int year = year_first ? *first : *third, day = year_first ? *third : *first;
   using namespace std::chrono;
@@ -54,14 +56,14 @@ std::optional<double> take_date(std::string_view& text) {
   return static_cast<double>(sys_days(date).time_since_epoch().count());
 }
 
-// What may follow a time of day: nothing, "Z", "+02:00", "-0500".
+// Returns whether a text may follow a time of day: "", "Z", "+02:00", "-0500".
 bool is_zone(std::string_view text) {
   if (text.empty() || text == "Z") return true;
   return (text.front() == '+' || text.front() == '-') && text.size() <= 6 &&
          text.find_first_not_of("0123456789:", 1) == std::string_view::npos;
 }
 
-// ".25" or ",25" at the front, where there is one.
+// Takes a fraction such as ".25" or ",25" from the front. Returns 0 if there is none, nothing if it is wrong.
 std::optional<double> take_fraction(std::string_view& text) {
   if (text.empty() || (text.front() != '.' && text.front() != ',')) return 0.0;
   std::size_t length = 1;

@@ -1,143 +1,19 @@
 #include "tables/column_names.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <array>
 #include <cctype>
 
+#include "tables/column_vocabulary.hpp"
 #include "text/edit_distance.hpp"
 #include "text/message_text.hpp"
 
 namespace trunk {
 namespace {
 
-struct Spelling {
-  std::string_view suffix;
-  Unit unit;
-};
-
-namespace units {
-constexpr double litre = 1e-3, millilitre = 1e-6, minute = 60;
-constexpr Unit ml_s{"ml_s", Quantity::flow, millilitre}, L_s{"L_s", Quantity::flow, litre},
-    L_min{"L_min", Quantity::flow, litre / minute}, ml_min{"ml_min", Quantity::flow, millilitre / minute},
-    m3_s{"m3_s", Quantity::flow, 1}, us{"us", Quantity::time, 1e-6}, ms{"ms", Quantity::time, 1e-3},
-    s{"s", Quantity::time, 1}, min{"min", Quantity::time, minute}, h{"h", Quantity::time, 60 * minute},
-    ml{"ml", Quantity::volume, millilitre}, cl{"cl", Quantity::volume, 10 * millilitre},
-    dl{"dl", Quantity::volume, 100 * millilitre}, L{"L", Quantity::volume, litre},
-    m3{"m3", Quantity::volume, 1};
-}  // namespace units
-
-// The longest that fits counts: "_l_min" and not "_min".
-constexpr std::array spellings{Spelling{"_ml_s", units::ml_s},
-                               Spelling{"_ml_sec", units::ml_s},
-                               Spelling{"_ml_s_1", units::ml_s},
-                               Spelling{"_cm3_s", units::ml_s},
-                               Spelling{"_cm³_s", units::ml_s},
-                               Spelling{"_cc_s", units::ml_s},
-                               Spelling{"_l_s", units::L_s},
-                               Spelling{"_l_sec", units::L_s},
-                               Spelling{"_l_s_1", units::L_s},
-                               Spelling{"_lps", units::L_s},
-                               Spelling{"_litres_s", units::L_s},
-                               Spelling{"_liters_s", units::L_s},
-                               Spelling{"_l_min", units::L_min},
-                               Spelling{"_l_mn", units::L_min},
-                               Spelling{"_l_min_1", units::L_min},
-                               Spelling{"_lpm", units::L_min},
-                               Spelling{"_litres_min", units::L_min},
-                               Spelling{"_liters_min", units::L_min},
-                               Spelling{"_ml_min", units::ml_min},
-                               Spelling{"_ml_mn", units::ml_min},
-                               Spelling{"_m3_s", units::m3_s},
-                               Spelling{"_m³_s", units::m3_s},
-                               Spelling{"_us", units::us},
-                               Spelling{"_µs", units::us},
-                               Spelling{"_μs", units::us},
-                               Spelling{"_microseconds", units::us},
-                               Spelling{"_ms", units::ms},
-                               Spelling{"_msec", units::ms},
-                               Spelling{"_milliseconds", units::ms},
-                               Spelling{"_millisekunden", units::ms},
-                               Spelling{"_s", units::s},
-                               Spelling{"_sec", units::s},
-                               Spelling{"_sek", units::s},
-                               Spelling{"_secs", units::s},
-                               Spelling{"_seconds", units::s},
-                               Spelling{"_sekunden", units::s},
-                               Spelling{"_secondes", units::s},
-                               Spelling{"_segundos", units::s},
-                               Spelling{"_secondi", units::s},
-                               Spelling{"_min", units::min},
-                               Spelling{"_minutes", units::min},
-                               Spelling{"_minuten", units::min},
-                               Spelling{"_mn", units::min},
-                               Spelling{"_h", units::h},
-                               Spelling{"_hours", units::h},
-                               Spelling{"_stunden", units::h},
-                               Spelling{"_ml", units::ml},
-                               Spelling{"_millilitres", units::ml},
-                               Spelling{"_milliliters", units::ml},
-                               Spelling{"_milliliter", units::ml},
-                               Spelling{"_cm3", units::ml},
-                               Spelling{"_cm³", units::ml},
-                               Spelling{"_ccm", units::ml},
-                               Spelling{"_cc", units::ml},
-                               Spelling{"_cl", units::cl},
-                               Spelling{"_dl", units::dl},
-                               Spelling{"_l", units::L},
-                               Spelling{"_litres", units::L},
-                               Spelling{"_liters", units::L},
-                               Spelling{"_litre", units::L},
-                               Spelling{"_liter", units::L},
-                               Spelling{"_litros", units::L},
-                               Spelling{"_litri", units::L},
-                               Spelling{"_m3", units::m3},
-                               Spelling{"_m³", units::m3}};
-
-// Gas conditions behind a unit, as spirometers write them.
-constexpr std::array gas_conditions{"_btps", "_atps", "_atpd", "_stpd"};
-
-struct Word {
-  std::string_view text;
-  Role role;
-};
-
-constexpr std::array column_words{Word{"time", Role::time},          Word{"t", Role::time},
-                                  Word{"timestamp", Role::time},     Word{"elapsed", Role::time},
-                                  Word{"datetime", Role::time},      Word{"zeit", Role::time},
-                                  Word{"uhrzeit", Role::time},       Word{"zeitstempel", Role::time},
-                                  Word{"temps", Role::time},         Word{"heure", Role::time},
-                                  Word{"tiempo", Role::time},        Word{"tempo", Role::time},
-                                  Word{"hora", Role::time},          Word{"ora", Role::time},
-                                  Word{"tijd", Role::time},          Word{"tid", Role::time},
-                                  Word{"flow", Role::flow},          Word{"airflow", Role::flow},
-                                  Word{"fluss", Role::flow},         Word{"fluß", Role::flow},
-                                  Word{"atemfluss", Role::flow},     Word{"atemstrom", Role::flow},
-                                  Word{"atemfluß", Role::flow},      Word{"luftstrom", Role::flow},
-                                  Word{"debit", Role::flow},         Word{"débit", Role::flow},
-                                  Word{"flujo", Role::flow},         Word{"flusso", Role::flow},
-                                  Word{"fluxo", Role::flow},         Word{"luchtstroom", Role::flow},
-                                  Word{"flöde", Role::flow},         Word{"luftflöde", Role::flow},
-                                  Word{"pneumotach", Role::flow},    Word{"volume", Role::volume},
-                                  Word{"vol", Role::volume},         Word{"volumen", Role::volume},
-                                  Word{"atemvolumen", Role::volume}, Word{"lungenvolumen", Role::volume},
-                                  Word{"volym", Role::volume},       Word{"belt", Role::belt},
-                                  Word{"resp", Role::belt},          Word{"respiration", Role::belt},
-                                  Word{"breathing", Role::belt},     Word{"atmung", Role::belt},
-                                  Word{"atemgurt", Role::belt},      Word{"gurt", Role::belt},
-                                  Word{"thorax", Role::belt},        Word{"thor", Role::belt},
-                                  Word{"chest", Role::belt},         Word{"abdomen", Role::belt},
-                                  Word{"abdo", Role::belt},          Word{"rip", Role::belt},
-                                  Word{"respiracion", Role::belt},   Word{"respiración", Role::belt}};
-
-// They do not change what a column is. Those of the respiratory tract are belts where they stand alone.
-constexpr std::array<std::string_view, 34> passed_over{
-    "resp",  "respiratory", "breathing", "air",      "airway",    "mouth", "nasal",   "oral", "lung",
-    "lungs", "mask",        "signal",    "sensor",   "channel",   "ch",    "kanal",   "raw",  "filtered",
-    "belt",  "effort",      "chest",     "thoracic", "abdominal", "au",    "a",       "u",    "stamp",
-    "date",  "and",         "since",     "start",    "elapsed",   "rel",   "relative"};
-
-// Everything but ASCII letters, digits and the bytes of other scripts separates words. Capitals of western
-// Europe (U+00C0 to U+00DE) are made small as ASCII ones are.
+// Returns a header in lower case, with "_" for all characters that separate words. Letters are those of ASCII
+// and all bytes of other scripts. Capitals of western Europe (U+00C0 to U+00DE) become lower case too.
 std::string plain_name(std::string_view header) {
   std::string plain;
   unsigned char before = 0;
@@ -157,14 +33,14 @@ std::string plain_name(std::string_view header) {
 }
 
 std::string without_conditions(std::string plain) {
-  for (const std::string_view condition : gas_conditions)
+  for (const std::string_view condition : gas_conditions())
     if (plain.ends_with(condition)) plain.resize(plain.size() - condition.size());
   return plain;
 }
 
-const Spelling* ending_of(std::string_view plain) {
-  const Spelling* longest = nullptr;
-  for (const Spelling& spelling : spellings)
+const UnitSpelling* ending_of(std::string_view plain) {
+  const UnitSpelling* longest = nullptr;
+  for (const UnitSpelling& spelling : unit_spellings())
     if (plain.ends_with(spelling.suffix) && (!longest || spelling.suffix.size() > longest->suffix.size()))
       longest = &spelling;
   return longest;
@@ -175,7 +51,7 @@ struct Brackets {
   std::string rest;
 };
 
-// "Flow [L/s] at the mouth" => L_s, "Flow  at the mouth".
+// Returns L_s and "Flow  at the mouth" for "Flow [L/s] at the mouth".
 std::optional<Brackets> unit_in_brackets(std::string_view header) {
   for (auto open = header.find_first_of("[("); open != std::string_view::npos;
        open = header.find_first_of("[(", open + 1)) {
@@ -198,8 +74,9 @@ std::vector<std::string_view> parts_of(std::string_view base) {
   return parts;
 }
 
-bool is_passed_over(std::string_view part) {
-  return std::find(passed_over.begin(), passed_over.end(), part) != passed_over.end() ||
+bool is_ignored(std::string_view part) {
+  const auto words = ignored_words();
+  return std::find(words.begin(), words.end(), part) != words.end() ||
          part.find_first_not_of("0123456789") == std::string_view::npos ||
          (part.starts_with("ch") && part.find_first_not_of("0123456789", 2) == std::string_view::npos);
 }
@@ -220,7 +97,7 @@ void ColumnName::set(const Unit& known) {
 
 std::optional<Unit> unit_of(std::string_view text) {
   const std::string plain = "_" + without_conditions(plain_name(text));
-  for (const Spelling& spelling : spellings)
+  for (const UnitSpelling& spelling : unit_spellings())
     if (plain == spelling.suffix) return spelling.unit;
   return std::nullopt;
 }
@@ -234,7 +111,7 @@ ColumnName column_name(std::string_view header) {
   else if (const auto brackets = unit_in_brackets(header)) {
     column.base = plain_name(brackets->rest);
     column.set(brackets->unit);
-  } else if (const Spelling* spelling = ending_of(plain)) {
+  } else if (const UnitSpelling* spelling = ending_of(plain)) {
     column.base = plain.substr(0, plain.size() - spelling->suffix.size());
     column.set(spelling->unit);
   }
@@ -250,19 +127,19 @@ bool is_documented(const ColumnName& column) {
 
 std::optional<Role> role_of(const ColumnName& column) {
   std::optional<Role> role;
-  if (unit_of(column.base))  // a unit stands for the name
+  if (unit_of(column.base))  // the unit replaces the name
     return column.quantity == Quantity::time   ? Role::time
            : column.quantity == Quantity::flow ? Role::flow
                                                : Role::volume;
+  const auto words = column_words();
   for (const std::string_view part : parts_of(column.base)) {
     const auto word =
-        std::find_if(column_words.begin(), column_words.end(), [&](const Word& w) { return w.text == part; });
-    const bool counts =
-        word != column_words.end() && (!role || *role == Role::belt || word->role != Role::belt);
+        std::find_if(words.begin(), words.end(), [&](const ColumnWord& known) { return known.text == part; });
+    const bool counts = word != words.end() && (!role || *role == Role::belt || word->role != Role::belt);
     if (counts && role && *role != Role::belt && *role != word->role)
       return std::nullopt;  // "volume_from_flow"
     if (counts) role = word->role;
-    if (word == column_words.end() && !is_passed_over(part)) return std::nullopt;
+    if (word == words.end() && !is_ignored(part)) return std::nullopt;
   }
   return role;
 }
@@ -275,18 +152,19 @@ std::string suggestion(const std::vector<ColumnName>& columns, Quantity quantity
                                                                  : "--unit L/s";
   for (const auto& column : columns)
     if (column.quantity == Quantity::unknown && role_of(column) == role_of(first))
-      return excerpt(column.text) + " has no unit: name it " + names.front() + " or " + names[1] +
-             ", or add one like " + unit_option;
+      return fmt::format("{} has no unit: name it {} or {}, or add an option like {}", excerpt(column.text),
+                         names.front(), names[1], unit_option);
   for (const auto& column : columns)
     if (column.plain.starts_with(first.base) && column.quantity == Quantity::unknown)
-      return "the unit of " + excerpt(column.text) + " is not known: convert it to " + names.front();
+      return fmt::format("the unit of {} is not known: convert it to {}", excerpt(column.text),
+                         names.front());
   for (const auto& column : columns)
     for (const auto& name : names)
       if (edit_distance(column.plain, column_name(name).plain) <= 2)
-        return "if " + excerpt(column.text) + " is meant, name it " + name;
+        return fmt::format("if {} is meant, name it {}", excerpt(column.text), name);
   for (const auto& column : columns)
     if (column.quantity == quantity)
-      return "if " + excerpt(column.text) + " is meant, add --" + first.base + " " + excerpt(column.text);
+      return fmt::format("if {0} is meant, add --{1} {0}", excerpt(column.text), first.base);
   return "";
 }
 
@@ -295,7 +173,7 @@ std::string list_of(const std::vector<ColumnName>& columns) {
   std::string list;
   for (std::size_t i = 0; i < std::min(columns.size(), most); ++i)
     list += (i > 0 ? ", " : "") + excerpt(columns[i].text);
-  return columns.size() > most ? list + " and " + std::to_string(columns.size() - most) + " more" : list;
+  return columns.size() > most ? fmt::format("{} and {} more", list, columns.size() - most) : list;
 }
 
 }  // namespace trunk

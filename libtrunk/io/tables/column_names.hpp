@@ -10,44 +10,46 @@ namespace trunk {
 enum class Quantity { time, volume, flow, unknown };
 
 struct Unit {
-  std::string_view name;  ///< as this program writes it: "L_s"
+  std::string_view name;  ///< as in this program: "L_s"
   Quantity quantity;
   double to_si;  ///< factor to s, m3 or m3/s
 };
 
-/// A unit alone, "L/s", "[l/min]", "mL": one of the known ones, in any spelling of column_name; or nothing.
+/// Returns the unit of a text that is only a unit, such as "L/s", "[l/min]" or "mL", in any spelling that
+/// column_name knows; nothing for any other text.
 std::optional<Unit> unit_of(std::string_view text);
 
-/// What a column header says: `volume_L`, `Volume [L]` and `"VOLUME (l)"` all read base "volume", unit "L".
+/// The content of a column header: `volume_L`, `Volume [L]` and `"VOLUME (l)"` all have base "volume" and
+/// unit "L".
 struct ColumnName {
   std::string text;                       ///< as in the file
   std::string plain;                      ///< lower case, words joined by '_': "flow_l_s"
   std::string base;                       ///< plain without its unit: "flow"
-  std::string unit;                       ///< as this program writes it: "L_s"; empty when there is none
+  std::string unit;                       ///< as in this program: "L_s"; empty if there is none
   Quantity quantity = Quantity::unknown;  ///< by the unit
   double to_si = 1;                       ///< factor from the unit to s, m3 or m3/s
 
   void set(const Unit& known);
 };
 
-/// Reads a header (UTF-8, any case). The unit ends the name or stands in brackets: us ms s min h; ml cl dl L
-/// m3 (cm3 and cc are ml); ml_s L_s L_min ml_min m3_s, and their spellings in words. A unit may be all of the
-/// name.
+/// Reads a header (UTF-8, any case). The unit is at the end of the name or in brackets. The units are us, ms,
+/// s, min, h; ml, cl, dl, L, m3 (cm3 and cc are ml); ml_s, L_s, L_min, ml_min, m3_s; and their spellings in
+/// words. A name may consist of only a unit.
 ColumnName column_name(std::string_view header);
 
-/// What a column is by its name, without its unit: in English, German, French, Spanish, Italian, Portuguese,
-/// Dutch and Swedish; words that do not change the meaning ("airway", "sensor", numbers) are passed over.
-/// Nothing where it may be another quantity, such as a peak flow.
 enum class Role { time, flow, volume, belt };
+/// Returns the role of a column according to its name without the unit, in English, German, French, Spanish,
+/// Italian, Portuguese, Dutch or Swedish. Words that do not change the meaning ("airway", "sensor", numbers)
+/// are ignored. Returns nothing if the column may be another quantity, such as a peak flow.
 std::optional<Role> role_of(const ColumnName& column);
 
-/// Whether the name is one of ours: time, t, flow or volume, and a unit.
+/// Returns whether the name is a documented one: time, t, flow or volume with a unit.
 bool is_documented(const ColumnName& column);
 
-/// A sentence that names the column which was probably meant as `quantity` and its right name, or "".
+/// Returns a sentence that names the column which is probably meant as `quantity` and its right name, or "".
 std::string suggestion(const std::vector<ColumnName>& columns, Quantity quantity);
 
-/// "'a', 'b', 'c'": the headers of a file for an error text; long lists are cut.
+/// Returns the headers of a file for an error text: "'a', 'b', 'c'". Long lists are cut.
 std::string list_of(const std::vector<ColumnName>& columns);
 
 }  // namespace trunk

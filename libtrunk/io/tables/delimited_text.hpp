@@ -9,12 +9,11 @@
 
 namespace trunk {
 
-/// A table in text: names, perhaps a row of units, then rows of data; see table_layout for how these are
-/// found.
-/// `#` lines are comments, blank lines and rows of empty cells are skipped. Where the comma does not delimit,
-/// a number may have a decimal comma.
+/// A table in text: names, possibly a row of units, and rows of data; table_layout finds them. Lines that
+/// begin with `#` are comments. Blank lines and rows of empty cells are skipped. A number may have a decimal
+/// comma, unless the comma separates the columns.
 ///
-/// All errors are InputError with source and line.
+/// All functions throw InputError with source and line.
 class DelimitedText {
  public:
   struct Row {
@@ -26,35 +25,35 @@ class DelimitedText {
 
   using Layout = TableLayout (*)(TextLines);
 
-  /// Reads the header. Errors: those of the layout.
+  /// Reads the header; throws as the layout does.
   DelimitedText(std::string source, std::string text, Layout layout = &table_layout)
       : text_(std::move(text)), layout_(layout(TextLines(std::move(source), text_))) {}
 
-  // Rows view the text, so the table stays where it is.
+  // Rows refer to the text, so the table cannot be copied or moved.
   DelimitedText(const DelimitedText&) = delete;
   DelimitedText& operator=(const DelimitedText&) = delete;
 
   const std::string& source() const { return layout_.rows.source(); }
   std::size_t header_line() const { return layout_.header_line; }
-  bool named() const { return layout_.named; }  ///< false: names are numbers from 1
+  bool named() const { return layout_.named; }  ///< false: the names are numbers from 1
   const std::vector<std::string>& names() const { return layout_.names; }
   const std::vector<std::string>& units() const { return layout_.units; }  ///< empty, or as many as names
 
-  /// The next row of data => row; false at the end. Errors: too many rows, a line over the bound, an open
-  /// quote, more filled cells than there are names.
+  /// Reads the next row of data into `row`. Returns false at the end. Throws if there are too many rows, if
+  /// the line is too long, if a quote is not closed or if the row has more cells than there are names.
   bool next(Row& row);
-  void rewind();  ///< to the first row
+  void rewind();  ///< goes back to the first row
 
-  /// The cell `row.cells[column]` in text. Errors: no such cell, or empty.
+  /// Returns the text of a cell; throws if the cell does not exist or is empty.
   std::string_view text(const Row& row, std::size_t column) const;
-  /// The same as a finite number. Errors: also not a number, NaN or infinite.
+  /// Returns the finite number in a cell; throws if the cell does not hold one.
   double number(const Row& row, std::size_t column) const;
 
  private:
-  [[noreturn]] void fail(std::size_t line, const std::string& text) const;
+  [[noreturn]] void fail(std::size_t line, std::string found, std::string expected, std::string remedy) const;
 
   std::string text_;
-  TableLayout layout_;  // views text_
+  TableLayout layout_;  // refers to text_
   TextLines lines_ = layout_.rows;
   std::size_t rows_ = 0;
 };

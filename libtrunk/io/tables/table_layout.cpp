@@ -24,7 +24,7 @@ bool any_numeric(const Cells& cells, char delimiter) {
   return std::any_of(cells.begin(), cells.end(), [&](auto cell) { return is_numeric(cell, delimiter); });
 }
 
-// "0.01 s" is no name.
+// A text such as "0.01 s" is not a name.
 bool any_starts_with_digit(const Cells& cells) {
   return std::any_of(cells.begin(), cells.end(),
                      [](auto cell) { return !cell.empty() && cell.front() >= '0' && cell.front() <= '9'; });
@@ -51,7 +51,7 @@ bool is_units_row(const Cells& cells, char delimiter) {
          std::any_of(cells.begin(), cells.end(), [](auto cell) { return unit_of(cell).has_value(); });
 }
 
-// Between blanks, "Flow (L/s)" is in two cells; the unit belongs to the name.
+// If spaces separate the cells, "Flow (L/s)" is two cells; the unit belongs to the name.
 std::vector<std::string> joined_names(const Cells& cells, char delimiter) {
   std::vector<std::string> names;
   for (const std::string_view cell : cells) {
@@ -69,8 +69,7 @@ class LayoutFinder {
   explicit LayoutFinder(const TextLines& lines) : end_(lines) {}
 
   TableLayout find() {
-    if (!has_line(0))
-      fail(0, "only blank lines and comments found; expected a header line and rows of numbers");
+    if (!has_line(0)) fail(0, "only blank lines and comments found", "a header line and rows of numbers");
     read_declaration();
     const std::optional<std::size_t> rows = first_rows();
     if (!rows) delimiter_ = declared_.value_or(guessed_delimiter(lines_[first_].text));
@@ -86,7 +85,7 @@ class LayoutFinder {
   }
 
   TableLayout list() {
-    if (!has_line(0)) fail(0, "only blank lines and comments found; expected a header line and rows");
+    if (!has_line(0)) fail(0, "only blank lines and comments found", "a header line and rows");
     read_declaration();
     delimiter_ = declared_.value_or(guessed_delimiter(lines_[first_].text));
     return headed(first_);
@@ -94,11 +93,11 @@ class LayoutFinder {
 
  private:
   struct Line {
-    std::string_view text, comment;  // the line, and the comment right above it
-    TextLines before, after;         // to go on from
+    std::string_view text, comment;  // the line, and the comment just above it
+    TextLines before, after;         // the positions before and after it
   };
 
-  // Lines are taken as they are asked for: a table without preamble is known by its first few.
+  // Lines are read when they are needed, because a few lines suffice for a table without preamble.
   bool has_line(std::size_t i) {
     while (lines_.size() <= i) {
       TextLines before = end_;
@@ -109,8 +108,9 @@ class LayoutFinder {
     return true;
   }
 
-  [[noreturn]] void fail(std::size_t line, const std::string& text) const {
-    throw InputError(end_.source(), line, text);
+  [[noreturn]] void fail(std::size_t line, std::string found, std::string expected,
+                         std::string remedy = "") const {
+    throw InputError({end_.source(), line}, std::move(found), std::move(expected), std::move(remedy));
   }
 
   void read_declaration() {
@@ -118,8 +118,7 @@ class LayoutFinder {
     if (line.size() != 5 || !line.starts_with("sep=")) return;
     declared_ = line[4];
     first_ = 1;
-    if (!has_line(1))
-      fail(0, "only blank lines and comments found; expected a header line and rows of numbers");
+    if (!has_line(1)) fail(0, "only blank lines and comments found", "a header line and rows of numbers");
   }
 
   Cells cells_of(std::string_view line) const {
@@ -144,7 +143,8 @@ class LayoutFinder {
     return tab ? '\t' : ',';
   }
 
-  // The first of three lines (or of the last ones) that hold numbers in two or more cells => delimiter_.
+  // Returns the first of three lines (or of fewer at the end of the text) with numbers in two or more cells,
+  // and sets delimiter_.
   std::optional<std::size_t> first_rows() {
     for (const char delimiter : declared_ ? std::string(1, *declared_) : std::string(";\t, ")) {
       delimiter_ = delimiter;
@@ -170,8 +170,8 @@ class LayoutFinder {
            !any_starts_with_digit(cells);
   }
 
-  // The nearest line above that names a quantity, else the first line if that does; else whatever stands
-  // right above the numbers (and their units) and may be names.
+  // Returns the nearest line above the rows that names a quantity, or else the first line if it names one, or
+  // else the line just above the rows (and their units) if it may be names.
   std::optional<std::size_t> header_above(std::size_t rows) const {
     std::optional<std::size_t> units, nearest;
     for (std::size_t i = rows; i > first_ && i + farthest_header > rows; --i) {
@@ -189,18 +189,18 @@ class LayoutFinder {
     return nearest ? nearest : units;
   }
 
-  // Rows begin right below.
+  // Returns the layout of a table whose rows begin just below the header.
   TableLayout headed(std::size_t header) const {
     Cells cells;
     const std::size_t number = lines_[header].after.number();
     if (!split_cells(lines_[header].text, delimiter_, cells))
-      fail(number, "a double quote is opened and not closed; expected pairs; remove or close it");
-    if (cells.empty())
-      fail(number, "a line of empty cells found; expected a header line that names the columns");
+      fail(number, "a double quote is opened and not closed", "pairs of quotes", "close or remove it");
+    if (cells.empty()) fail(number, "a line of empty cells found", "a header line that names the columns");
     return {delimiter_, number, true, joined_names(cells, delimiter_), {}, lines_[header].after};
   }
 
-  // Lines without a number between header and rows are passed over; one may hold units.
+  // Returns the layout of a table with lines without numbers between header and rows; one of them may hold
+  // units.
   TableLayout below(std::size_t header, std::size_t rows) {
     TableLayout layout = headed(header);
     Cells cells;
@@ -226,7 +226,7 @@ class LayoutFinder {
 
   TextLines end_;
   std::vector<Line> lines_;
-  std::size_t first_ = 0;  // 1 below a declaration of the delimiter
+  std::size_t first_ = 0;  // 1 if the first line declares the delimiter
   std::optional<char> declared_;
   char delimiter_ = ',';
 };

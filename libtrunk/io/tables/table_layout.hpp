@@ -7,26 +7,31 @@
 
 namespace trunk {
 
-/// How a table stands in a text.
+/// Where the parts of a table are in a text.
 struct TableLayout {
-  char delimiter = ',';            ///< ';', tab, ',' or ' ' for any number of blanks
-  std::size_t header_line = 0;     ///< or the first row's, where nothing names the columns
-  bool named = true;               ///< false: then the names are the numbers from 1
+  char delimiter = ',';            ///< ';', tab, ',' or ' ' for any number of spaces
+  std::size_t header_line = 0;     ///< the first row, if nothing names the columns
+  bool named = true;               ///< false: the names are numbers from 1
   std::vector<std::string> names;  ///< of the columns, at least one
-  std::vector<std::string> units;  ///< of a row of units below the header; empty, or as many as names
-  TextLines rows;                  ///< stands before the first row
+  std::vector<std::string> units;  ///< from a row of units below the header; empty, or as many as names
+  TextLines rows;                  ///< is just before the first row
 };
 
-/// Finds header and delimiter. Above the header there may be up to 20000 lines of something else, as loggers
-/// write it: what counts is the first three lines that hold numbers in two or more cells, and above these the
-/// nearest of 30 lines that names a quantity; else the first line of all where it does, else the line right
-/// above (all our choice). Between header and numbers there may be lines without numbers, one of them with
-/// units. A spreadsheet's `sep=;` declares the delimiter. A comment right above the numbers is the header
-/// where it names a quantity and nothing else does. Throws InputError: nothing but blank lines and comments,
-/// a first line of empty cells, an open quote in the header.
+/// Finds the header, the delimiter and the first row of a table. All rules are our choice:
+///  - Up to 20000 lines of other text may come first, as loggers write them.
+///  - The rows begin at the first three consecutive lines with numbers in two or more cells.
+///  - The header is the nearest of the 30 lines above the rows that names a quantity, or else the first line
+///    of the text if it names one, or else the line just above the rows.
+///  - Lines without numbers may stand between header and rows, and one of them may hold units.
+///  - The line `sep=;` of a spreadsheet declares the delimiter.
+///  - A comment just above the rows is the header if it names a quantity and no line does.
+///
+/// Throws InputError if there are only blank lines and comments, if the header is a line of empty cells, or
+/// if a quote in the header is not closed.
 TableLayout table_layout(TextLines lines);
 
-/// The same of a list, whose rows need not hold numbers: the first line is the header, all below are rows.
+/// Finds the parts of a list, whose rows need not hold numbers: the first line is the header, and all other
+/// lines are rows. Throws as table_layout does.
 TableLayout list_layout(TextLines lines);
 
 }  // namespace trunk

@@ -1,5 +1,7 @@
 #include "tables/text_cells.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 
@@ -33,10 +35,9 @@ bool TextLines::next(std::string_view& line) {
     position_ = end + (text_.substr(end, 2) == "\r\n" ? 2 : 1);
     ++number_;
     if (line.size() > max_line_bytes)
-      throw InputError(source_, number_,
-                       "a line of " + std::to_string(line.size()) + " bytes found; expected at most " +
-                           std::to_string(max_line_bytes) +
-                           "; check that this is a table with one sample a line");
+      throw InputError({source_, number_}, fmt::format("a line of {} bytes found", line.size()),
+                       fmt::format("at most {} bytes", max_line_bytes),
+                       "check that this is a table with one sample per line");
     const std::string_view content = trimmed(line);
     if (content.starts_with('#'))
       comment_ = content.substr(1);
@@ -64,7 +65,7 @@ bool split_cells(std::string_view line, char delimiter, std::vector<std::string_
   return !in_quotes;
 }
 
-// std::from_chars knows no locale, and no leading '+'.
+// std::from_chars does not depend on the locale, and does not accept a leading '+'.
 std::pair<double, std::errc> cell_number(std::string_view cell, bool decimal_comma) {
   std::string with_point;
   const bool has_comma = cell.find(',') != std::string_view::npos;

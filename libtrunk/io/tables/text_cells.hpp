@@ -9,23 +9,23 @@
 
 namespace trunk {
 
-/// The lines of a text, one after another. Lines end in LF, CRLF or CR. A copy goes on from the same place.
+/// Reads the lines of a text, which end in LF, CRLF or CR. A copy continues from the same line.
 class TextLines {
  public:
   static constexpr std::size_t max_line_bytes = 1'000'000;
 
-  /// The text must outlive this; `source` is for messages.
+  /// The text must outlive this object. Messages name `source`.
   TextLines(std::string source, std::string_view text) : source_(std::move(source)), text_(text) {}
 
   const std::string& source() const { return source_; }
-  std::size_t number() const { return number_; }  ///< of the last line taken, from 1
+  std::size_t number() const { return number_; }  ///< of the last line that was read, from 1
   bool at_end() const { return position_ >= text_.size(); }
 
-  /// The next line that is neither blank nor a comment (`#`) => line; false at the end. Throws InputError: a
-  /// line over the bound.
+  /// Reads the next line that is neither blank nor a comment (`#`) into `line`. Returns false at the end.
+  /// Throws InputError if a line is longer than max_line_bytes.
   bool next(std::string_view& line);
 
-  /// The comment right above the last line taken, without its mark; empty where there is none.
+  /// Returns the comment just above the last line that was read, without "#"; empty if there is none.
   std::string_view comment_above() const { return comment_; }
 
  private:
@@ -34,16 +34,16 @@ class TextLines {
   std::size_t position_ = 0, number_ = 0;
 };
 
-/// Without blanks at either end.
+/// Returns a text without spaces at either end.
 std::string_view trimmed(std::string_view text);
 
-/// A line => its cells, trimmed and without quotes; empty cells at the end are dropped. A blank as delimiter
-/// means any number of blanks and tabs. A cell in double quotes may hold delimiters. False where a quote is
-/// not closed.
+/// Splits a line into cells, without spaces around them, without quotes and without empty cells at the end.
+/// The delimiter ' ' means any number of spaces and tabs. A cell in double quotes may hold delimiters.
+/// Returns false if a quote is not closed.
 bool split_cells(std::string_view line, char delimiter, std::vector<std::string_view>& cells);
 
-/// A cell as a number; `decimal_comma` allows "0,25". The error is std::errc{} where all of it is one number;
-/// NaN and infinity are numbers here.
+/// Returns the number in a cell, and std::errc{} if the whole cell is one number. `decimal_comma` allows
+/// "0,25". NaN and infinity are numbers here.
 std::pair<double, std::errc> cell_number(std::string_view cell, bool decimal_comma);
 
 }  // namespace trunk

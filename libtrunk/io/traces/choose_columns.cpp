@@ -1,5 +1,7 @@
 #include "traces/choose_columns.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 
@@ -13,8 +15,8 @@ constexpr auto volume_names = "volume_ml or volume_L";
 constexpr auto flow_names = "flow_L_s, flow_L_min or flow_ml_s";
 constexpr auto signal_names = "volume_ml, volume_L, flow_L_s, flow_L_min or flow_ml_s";
 
-// A unit that the file gives apart from the name counts before one in the name.
-ColumnName described(const Channel& channel) {
+// A unit that the file gives separately has priority over a unit in the name.
+ColumnName name_of(const Channel& channel) {
   ColumnName column = column_name(channel.name);
   if (const auto unit = unit_of(channel.unit)) {
     if (column.quantity == Quantity::unknown) column.base = column.plain;
@@ -33,7 +35,7 @@ class ColumnChoice {
  public:
   ColumnChoice(const Recording& recording, const TraceOptions& options)
       : recording_(recording), options_(options) {
-    for (const Channel& channel : recording.channels) chosen_.all.push_back(described(channel));
+    for (const Channel& channel : recording.channels) chosen_.all.push_back(name_of(channel));
   }
 
   TraceColumns choose() {
@@ -52,32 +54,38 @@ class ColumnChoice {
  private:
   using Index = std::size_t;
 
-  [[noreturn]] void fail(const std::string& text) const {
-    throw InputError(recording_.source, recording_.header_line, text);
+  [[noreturn]] void fail(std::string found, std::string expected, std::string remedy) const {
+    throw InputError({recording_.source, recording_.header_line}, std::move(found), std::move(expected),
+                     std::move(remedy));
   }
-  std::string said(Index i) const { return recording_.word + " " + excerpt(chosen_.all[i].text); }
+  std::string word_and_name(Index i) const {
+    return fmt::format("{} {}", recording_.word, excerpt(chosen_.all[i].text));
+  }
 
   void require_header() const {
     const bool picked =
         !options_.value_column.empty() && (!options_.time_column.empty() || options_.rate_hz > 0);
     if (recording_.first_cell.empty() || picked) return;
-    fail("the first row starts with the number " + excerpt(recording_.first_cell) +
-         "; expected a header such as time_s,volume_ml; write one (without '#') above the numbers, or pick "
-         "columns by number, as in --time 1 --flow 2 --unit L/s");
+    fail(fmt::format("the first row starts with the number {}", excerpt(recording_.first_cell)),
+         "a header such as time_s,volume_ml",
+         "write a header (without '#') above the numbers, or choose columns by number, as in --time 1 --flow "
+         "2 "
+         "--unit L/s");
   }
 
   // ---- finding columns ----
 
-  // The one column for which `wanted` holds; two are an error because silence would pick one of them.
+  // Returns the only column for which `wanted` holds. Two such columns are an error, since a silent choice
+  // may be wrong.
   template <class Predicate>
   std::optional<Index> only(Predicate wanted) const {
     std::optional<Index> found;
     for (Index i = 0; i < chosen_.all.size(); ++i) {
       if (!wanted(chosen_.all[i])) continue;
       if (found)
-        fail("two " + recording_.word + "s that mean the same, " + excerpt(chosen_.all[*found].text) +
-             " and " + excerpt(chosen_.all[i].text) +
-             "; expected one; choose it with --time, --flow, --volume or --belt");
+        fail(fmt::format("two {}s have the same meaning, {} and {}", recording_.word,
+                         excerpt(chosen_.all[*found].text), excerpt(chosen_.all[i].text)),
+             "one", "choose one with --time, --flow, --volume or --belt");
       found = i;
     }
     return found;
@@ -89,8 +97,8 @@ class ColumnChoice {
     });
   }
 
-  // Whether a column of that role is in a unit of that quantity, or has none and an option gives it. Where
-  // names have no room for a unit, times without one are likely seconds.
+  // Returns whether a column has a unit of this quantity, or has no unit and an option gives one. In formats
+  // whose names have no room for a unit, times without a unit are probably seconds.
   bool fits(const ColumnName& column, Quantity quantity, const std::string& unit_option) const {
     if (column.quantity == quantity) return true;
     if (column.quantity != Quantity::unknown) return false;
@@ -98,17 +106,18 @@ class ColumnChoice {
     return given ? given->quantity == quantity : quantity == Quantity::time && recording_.header_line == 0;
   }
 
-  // By our names, else by words of the same meaning, which is told.
+  // Returns a column with a documented name, or else one with a synonym, which a note reports.
   std::optional<Index> automatic(Role role, Quantity quantity, const std::string& unit_option) {
     if (const auto found = documented(quantity_name(quantity), quantity)) return found;
     const auto found =
         only([&](const ColumnName& c) { return role_of(c) == role && fits(c, quantity, unit_option); });
-    if (found) tell(*found, quantity_name(quantity));
+    if (found) note_choice(*found, quantity_name(quantity));
     return found;
   }
 
-  void tell(Index i, const std::string& what) {
-    if (!is_documented(chosen_.all[i])) told_ += (told_.empty() ? "" : ", ") + said(i) + " as the " + what;
+  void note_choice(Index i, const std::string& what) {
+    if (!is_documented(chosen_.all[i]))
+      choices_ += fmt::format("{}{} as the {}", choices_.empty() ? "" : ", ", word_and_name(i), what);
   }
 
   Index by_name(const std::string& name) const {
@@ -122,17 +131,17 @@ class ColumnChoice {
     if (error == std::errc{} && end == name.data() + name.size() && number >= 1 &&
         number <= chosen_.all.size())
       return number - 1;
-    fail("no " + recording_.word + " " + excerpt(name) + " among " + list_of(chosen_.all) +
-         "; expected the chosen " + recording_.word + "; correct its name or give its number");
+    fail(fmt::format("no {} {} among {}", recording_.word, excerpt(name), list_of(chosen_.all)),
+         fmt::format("the chosen {}", recording_.word), "correct its name or give its number");
   }
 
   [[noreturn]] void missing(const std::string& what, const std::string& expected, std::string hint,
                             const std::string& option) const {
     if (hint.empty() && chosen_.all.size() == 1 && recording_.word == "column")
       hint = "separate the columns by comma, semicolon or tab, or give --rate HZ for evenly spaced samples";
-    if (hint.empty()) hint = "rename the " + recording_.word + " that holds it, or pick it with " + option;
-    fail("no " + what + " " + recording_.word + " among " + list_of(chosen_.all) + "; expected " + expected +
-         "; " + hint);
+    if (hint.empty())
+      hint = fmt::format("rename the {} that holds it, or choose it with {}", recording_.word, option);
+    fail(fmt::format("no {} {} among {}", what, recording_.word, list_of(chosen_.all)), expected, hint);
   }
 
   // ---- units ----
@@ -141,18 +150,20 @@ class ColumnChoice {
     if (given.empty()) return;
     const auto unit = unit_of(given);
     if (!unit || (unit->quantity == Quantity::time) != of_time)
-      throw InputError(option + " " + given + ": expected a unit such as " +
-                       (of_time ? "s, ms or min" : "ml, L, L/s, L/min or ml/s"));
+      throw InputError(
+          {fmt::format("{} {}", option, given)},
+          of_time ? "this is not a known unit of time" : "this is not a known unit of volume or flow",
+          of_time ? "a unit such as s, ms or min" : "a unit such as ml, L, L/s, L/min or ml/s");
   }
 
-  // The unit an option gives is put over that of the file; where they differ it is told.
+  // The unit of an option replaces the unit of the file. A note reports a difference.
   void apply_unit(Index i, const std::string& given, const std::string& option) {
     const auto unit = unit_of(given);
     if (!unit) return;
     ColumnName& column = chosen_.all[i];
     if (column.quantity != Quantity::unknown && column.unit != unit->name)
-      chosen_.notes.push_back(said(i) + " is read in " + given + ", as " + option + " says, not in " +
-                              column.unit);
+      chosen_.notes.push_back(fmt::format("{} is read in {}, as {} says, not in {}", word_and_name(i), given,
+                                          option, column.unit));
     column.set(*unit);
   }
 
@@ -162,7 +173,8 @@ class ColumnChoice {
     const std::string& name = options_.time_column;
     if (options_.rate_hz > 0) {
       if (const auto unused = documented("time", Quantity::time))
-        chosen_.notes.push_back(said(*unused) + " is not used: --rate gives the times");
+        chosen_.notes.push_back(
+            fmt::format("{} is not used: --rate gives the times", word_and_name(*unused)));
       return;
     }
     chosen_.time = name.empty() ? automatic(Role::time, Quantity::time, options_.time_unit) : by_name(name);
@@ -171,10 +183,12 @@ class ColumnChoice {
     ColumnName& column = chosen_.all[*chosen_.time];
     if (column.quantity == Quantity::time) return;
     if (column.quantity != Quantity::unknown)
-      fail("the chosen time " + said(*chosen_.time) + " is in " + column.unit +
-           " and not in a unit of time; expected one such as " + time_names + "; choose another");
-    chosen_.notes.push_back(said(*chosen_.time) +
-                            " names no unit of time: seconds are assumed (else: --time-unit ms)");
+      fail(fmt::format("the chosen time {} is in {} and not in a unit of time", word_and_name(*chosen_.time),
+                       column.unit),
+           fmt::format("one such as {}", time_names), "choose another");
+    chosen_.notes.push_back(
+        fmt::format("{} names no unit of time: seconds are assumed (--time-unit ms changes this)",
+                    word_and_name(*chosen_.time)));
     column.set(*unit_of("s"));
   }
 
@@ -186,10 +200,10 @@ class ColumnChoice {
 
   [[noreturn]] void no_times() const {
     missing("time", time_names, suggestion(chosen_.all, Quantity::time),
-            "--time, or give --rate HZ where samples are evenly spaced");
+            "--time, or give --rate HZ if the samples are evenly spaced");
   }
 
-  // Where there are no times: what an option or the file says.
+  // If there are no times, an option or the file gives the rate.
   void choose_rate() {
     if (chosen_.time) return;
     chosen_.rate_hz = options_.rate_hz > 0 ? options_.rate_hz : recording_.channels[chosen_.value].rate_hz;
@@ -205,7 +219,7 @@ class ColumnChoice {
       take(preferred(*options_.kind), *options_.kind);
     else
       take_automatic();
-    if (!told_.empty()) chosen_.notes.push_back("taken by name: " + told_);
+    if (!choices_.empty()) chosen_.notes.push_back(fmt::format("taken by name: {}", choices_));
   }
 
   void take(Index i, SignalKind kind) {
@@ -222,11 +236,11 @@ class ColumnChoice {
     if (column.quantity == wanted) return;
     const std::string what = quantity_name(wanted);
     if (column.quantity == Quantity::unknown)
-      fail("the chosen " + said(i) + " has no unit of " + what + "; expected a name like " +
-           (kind == SignalKind::flow ? flow_names : volume_names) + "; add the unit, as in --unit " +
-           (kind == SignalKind::flow ? "L/s" : "ml"));
-    fail("the chosen " + said(i) + " is in " + column.unit + " and not in a unit of " + what +
-         "; expected one; choose it as --" + quantity_name(column.quantity));
+      fail(fmt::format("the chosen {} has no unit of {}", word_and_name(i), what),
+           fmt::format("a name like {}", kind == SignalKind::flow ? flow_names : volume_names),
+           fmt::format("add the unit, as in --unit {}", kind == SignalKind::flow ? "L/s" : "ml"));
+    fail(fmt::format("the chosen {} is in {} and not in a unit of {}", word_and_name(i), column.unit, what),
+         fmt::format("a unit of {}", what), fmt::format("choose it as --{}", quantity_name(column.quantity)));
   }
 
   void take_named(Index i) {
@@ -236,11 +250,12 @@ class ColumnChoice {
     if (column.quantity == Quantity::flow || column.quantity == Quantity::volume)
       return take(i, column.quantity == Quantity::flow ? SignalKind::flow : SignalKind::volume);
     if (column.quantity == Quantity::unknown && role_of(column) == Role::belt) {
-      tell(i, "belt, in units of its own");
+      note_choice(i, "belt, in its own unit");
       return take(i, SignalKind::belt);
     }
-    fail("the chosen " + said(i) + " does not end in a unit of volume or flow; expected a name like " +
-         std::string(signal_names) + "; add one, as in --unit L/s, or choose it with --belt");
+    fail(fmt::format("the chosen {} does not end in a unit of volume or flow", word_and_name(i)),
+         fmt::format("a name like {}", signal_names),
+         "add the unit, as in --unit L/s, or choose it with --belt");
   }
 
   Index preferred(SignalKind kind) {
@@ -259,33 +274,34 @@ class ColumnChoice {
   std::optional<Index> belt() {
     const auto found =
         only([](const ColumnName& c) { return c.quantity == Quantity::unknown && role_of(c) == Role::belt; });
-    if (found) tell(*found, "belt, in units of its own");
+    if (found) note_choice(*found, "belt, in its own unit");
     return found;
   }
 
   void take_automatic() {
     const auto flow = automatic(Role::flow, Quantity::flow, options_.unit);
-    const std::string told = told_;
+    const std::string of_flow = choices_;
     const auto volume = automatic(Role::volume, Quantity::volume, options_.unit);
     if (flow) {
-      told_ = told;
+      choices_ = of_flow;
       if (volume)
-        chosen_.notes.push_back("flow " + excerpt(chosen_.all[*flow].text) + " is used and not volume " +
-                                excerpt(chosen_.all[*volume].text) +
-                                ": volumes of ventilators and spirometers are reset at each breath");
+        chosen_.notes.push_back(
+            fmt::format("flow {} is used and not volume {}, since ventilators and spirometers reset "
+                        "the volume at each breath",
+                        excerpt(chosen_.all[*flow].text), excerpt(chosen_.all[*volume].text)));
       return take(*flow, SignalKind::flow);
     }
     if (volume) return take(*volume, SignalKind::volume);
     if (const auto found = belt()) return take(*found, SignalKind::belt);
     auto hint = suggestion(chosen_.all, Quantity::volume);
     if (hint.empty()) hint = suggestion(chosen_.all, Quantity::flow);
-    missing("volume or flow", std::string("one of ") + signal_names, hint, "--flow, --volume or --belt");
+    missing("volume or flow", fmt::format("one of {}", signal_names), hint, "--flow, --volume or --belt");
   }
 
   const Recording& recording_;
   const TraceOptions& options_;
   TraceColumns chosen_;
-  std::string told_;
+  std::string choices_;
 };
 
 }  // namespace

@@ -11,20 +11,20 @@
 
 namespace trunk {
 
-/// Where a recording holds a breathing signal: positions among its channels, with what their names say.
+/// The channels of a recording that hold the breathing signal, and the content of all names.
 struct TraceColumns {
-  std::vector<ColumnName> all;  ///< units as they count, also where an option gave them
+  std::vector<ColumnName> all;  ///< with the units that count, possibly from an option
   std::optional<std::size_t> time;
-  double rate_hz = 0;  ///< where there is no time
+  double rate_hz = 0;  ///< samples per second if there is no time
   std::size_t value = 0;
   SignalKind kind = SignalKind::volume;
   std::optional<std::size_t> sigma;
-  std::vector<std::string> notes;  ///< the choice, when there was one
+  std::vector<std::string> notes;  ///< messages about the choice
 };
 
-/// Chooses as read_trace describes. Throws InputErrors with the header's line: a column that is absent or
-/// named twice, a chosen column without a usable unit; lists what was found and names the nearest, or the
-/// option that picks it.
+/// Chooses the channels as read_trace describes. Throws InputErrors with the line of the header if a column
+/// is missing or occurs twice, or if a chosen column has no usable unit. The errors list the columns and
+/// suggest the most similar name or an option.
 TraceColumns choose_columns(const Recording& recording, const TraceOptions& options);
 
 }  // namespace trunk

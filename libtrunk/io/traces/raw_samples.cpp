@@ -1,5 +1,7 @@
 #include "traces/raw_samples.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -12,12 +14,12 @@ namespace {
 constexpr double longest_bridge_s = 0.25;
 
 std::string count_of(std::size_t samples) {
-  return std::to_string(samples) + (samples == 1 ? " sample" : " samples");
+  return fmt::format("{} sample{}", samples, samples == 1 ? "" : "s");
 }
 
-/// The mistake of one sample, for many that are like it.
+/// Returns the mistake of a sample as the first of many similar ones.
 Mistake first_of(Mistake mistake, const std::string& many) {
-  if (!many.empty()) mistake.found += " (the first of " + many + ")";
+  if (!many.empty()) mistake.found += fmt::format(" (the first of {})", many);
   return mistake;
 }
 
@@ -30,9 +32,19 @@ RawSamples::RawSamples(Recording& recording, const TraceColumns& columns)
   samples_ = recording.read(chosen_);
 }
 
-InputError RawSamples::error(std::size_t sample, const std::string& text) const {
-  if (!samples_.lines.empty()) return InputError(recording_.source, samples_.lines[sample], text);
-  return InputError(recording_.source, 0, "sample " + std::to_string(sample + 1) + ": " + text);
+Mistake RawSamples::mistake_at(std::size_t sample, std::string found, std::string expected,
+                               std::string remedy) const {
+  const bool has_lines = !samples_.lines.empty();
+  if (!has_lines) found = fmt::format("sample {}: {}", sample + 1, found);
+  return {{recording_.source, has_lines ? samples_.lines[sample] : 0},
+          std::move(found),
+          std::move(expected),
+          std::move(remedy),
+          {}};
+}
+
+InputError RawSamples::error(std::string found, std::string expected, std::string remedy) const {
+  return {{recording_.source}, std::move(found), std::move(expected), std::move(remedy)};
 }
 
 Mistake RawSamples::flaw(std::size_t sample) const {
@@ -41,10 +53,10 @@ Mistake RawSamples::flaw(std::size_t sample) const {
   if (known != samples_.flaws.end() && known->sample == sample) return known->mistake;
   for (std::size_t row = 0; row < chosen_.size(); ++row)
     if (const double value = samples_.values[row][sample]; !std::isfinite(value))
-      return error(sample, number_text(value) + " found in " + recording_.word + " " +
-                               excerpt(columns_.all[chosen_[row]].text) +
-                               "; expected a finite number; leave it out or interpolate the value")
-          .mistake();
+      return mistake_at(sample,
+                        fmt::format("{} found in {} {}", number_text(value), recording_.word,
+                                    excerpt(columns_.all[chosen_[row]].text)),
+                        "a finite number", "remove the sample or interpolate the value");
   return {};
 }
 
@@ -60,8 +72,8 @@ std::vector<RawSamples::Run> RawSamples::runs_without_number() const {
   return runs;
 }
 
-// The median over steps a tenth of the recording wide, which neither single wrong times nor a coarse clock
-// change; infinite where the times tell nothing.
+// Returns the median over steps as wide as a tenth of the recording, which is robust against single wrong
+// times and a coarse clock; infinite if the times do not increase.
 double RawSamples::step_s() const {
   if (!columns_.time) return 1 / columns_.rate_hz;
   const std::vector<double>& time = samples_.values[1];
@@ -85,14 +97,16 @@ void RawSamples::bridge_missing(std::vector<std::string>& notes) {
     missing += run.end - run.begin;
     if (run.end - run.begin <= longest) continue;
     const std::size_t count = run.end - run.begin;
-    mistakes.add(first_of(flaw(run.begin), count > 1 ? count_of(count) + " in a row" : ""));
+    mistakes.add(first_of(flaw(run.begin), count > 1 ? fmt::format("{} in a row", count_of(count)) : ""));
   }
   if (mistakes.empty() && 10 * missing > size())
-    mistakes.add(first_of(flaw(runs.front().begin), count_of(missing) + ", more than a tenth of all"));
+    mistakes.add(
+        first_of(flaw(runs.front().begin), fmt::format("{}, more than a tenth of all", count_of(missing))));
   mistakes.settle();
 
   note(runs, notes);
-  for (auto run = runs.rbegin(); run != runs.rend(); ++run)  // from the end, so that places stay
+  for (auto run = runs.rbegin(); run != runs.rend();
+       ++run)  // from the end, so that earlier positions stay valid
     at_an_end(*run) ? leave_out(*run) : interpolate(*run);
 }
 
@@ -106,10 +120,9 @@ void RawSamples::note(const std::vector<Run>& runs, std::vector<std::string>& no
     }
     if (count == 0) continue;
     const Mistake cause = flaw(first);
-    notes.push_back(count_of(count) + " without a number " +
-                    (end ? "at an end of the recording left out" : "interpolated") +
-                    (count > 1 ? "; the first: " : ": ") + cause.at.text() + ": " +
-                    cause.found.substr(0, cause.found.find(';')));
+    notes.push_back(fmt::format("{} without a number {}{}{}: {}", count_of(count),
+                                end ? "at an end of the recording left out" : "interpolated",
+                                count > 1 ? "; the first: " : ": ", cause.at.text(), cause.found));
   }
 }
 

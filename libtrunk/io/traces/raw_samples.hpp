@@ -8,29 +8,32 @@
 
 namespace trunk {
 
-/// The samples of a trace on their way from file to Trace: what they are in the file, and where.
+/// The samples of a recording before they become a Trace, and their places in the file.
 class RawSamples {
  public:
-  /// Reads the chosen channels.
+  /// Reads the chosen channels; throws InputError if they cannot be read.
   RawSamples(Recording& recording, const TraceColumns& columns);
 
   const std::string& word() const { return recording_.word; }
   std::size_t size() const { return samples_.values.front().size(); }
 
-  /// Puts numbers where samples have none (NaN): interpolated, by sample number, over at most a quarter of a
-  /// second and in at most a tenth of the samples (our choice), left out at either end of the recording. Adds
-  /// a note. Throws InputErrors where more is missing.
+  /// Repairs samples without a number (NaN): interpolates them by sample number, and removes them at either
+  /// end of the recording. Adds a note. Throws InputErrors if more than a quarter of a second is missing at a
+  /// time, or more than a tenth of all samples (our choice).
   void bridge_missing(std::vector<std::string>& notes);
 
-  /// In SI units; a belt's value as in the file. Times are those of the samples, or counted by their rate.
+  /// Return the samples in SI units, the values of a belt in the unit of the file. Times come from the file,
+  /// or from the sampling rate.
   std::vector<double> time_s() const;
-  std::vector<double> time_of_whole_samples_s() const;  ///< NaN where another number is missing
+  std::vector<double> time_of_whole_samples_s() const;  ///< NaN if another number of the sample is missing
   std::vector<double> value() const;
-  std::vector<double> sigma_m3() const;  ///< empty where there is none
+  std::vector<double> sigma_m3() const;  ///< empty if there is none
 
-  /// An InputError at a sample: its line, or its number where the file has no lines.
-  InputError error(std::size_t sample, const std::string& text) const;
-  InputError error_of_all(const std::string& text) const { return InputError(recording_.source, 0, text); }
+  /// Returns a mistake at the line of a sample. If the file has no lines, the text begins with the number of
+  /// the sample.
+  Mistake mistake_at(std::size_t sample, std::string found, std::string expected, std::string remedy) const;
+  /// Returns an error about the whole recording.
+  InputError error(std::string found, std::string expected, std::string remedy) const;
 
  private:
   struct Run {
@@ -47,7 +50,7 @@ class RawSamples {
 
   const Recording& recording_;
   const TraceColumns& columns_;
-  std::vector<std::size_t> chosen_;  // value, then time and sigma where there are such
+  std::vector<std::size_t> chosen_;  // the value, then time and sigma if there are any
   Samples samples_;
 };
 

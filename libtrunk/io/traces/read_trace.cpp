@@ -1,5 +1,8 @@
 #include "traces/read_trace.hpp"
 
+#include <fmt/format.h>
+
+#include "math/units.hpp"
 #include "recordings/open_recording.hpp"
 #include "text/message_text.hpp"
 #include "traces/raw_samples.hpp"
@@ -10,7 +13,7 @@ namespace {
 
 constexpr std::size_t min_samples = 10;
 
-Trace described_by(const TraceColumns& columns, const std::string& source) {
+Trace empty_trace(const TraceColumns& columns, const std::string& source) {
   Trace trace;
   trace.source = source;
   trace.notes = columns.notes;
@@ -22,24 +25,19 @@ Trace described_by(const TraceColumns& columns, const std::string& source) {
 
 void check_enough_samples(const RawSamples& samples, const Recording& recording) {
   if (samples.size() == 0)
-    throw InputError(recording.source, recording.header_line,
-                     "a header without rows of numbers below it; expected at least " +
-                         std::to_string(min_samples) + " samples; check that the export was finished");
+    throw InputError({recording.source, recording.header_line}, "a header without rows of numbers below it",
+                     fmt::format("at least {} samples", min_samples), "check that the export was finished");
   if (samples.size() < min_samples)
-    throw samples.error_of_all(std::to_string(samples.size()) +
-                               (samples.size() == 1 ? " sample" : " samples") + " found; expected at least " +
-                               std::to_string(min_samples) + "; give a recording of one breath or more");
+    throw samples.error(fmt::format("{} sample{} found", samples.size(), samples.size() == 1 ? "" : "s"),
+                        fmt::format("at least {}", min_samples), "give a recording of one breath or more");
 }
 
 void check_positive(const std::vector<double>& sigma_m3, const RawSamples& samples) {
   Mistakes mistakes;
   for (std::size_t i = 0; i < sigma_m3.size(); ++i)
     if (!(sigma_m3[i] > 0))
-      mistakes.add(samples
-                       .error(i, "sigma " + number_text(sigma_m3[i] * 1e6) +
-                                     " found; expected a standard deviation above 0; correct it or "
-                                     "remove the column")
-                       .mistake());
+      mistakes.add(samples.mistake_at(i, fmt::format("sigma {} found", number_text(sigma_m3[i] * ml_per_m3)),
+                                      "a standard deviation above 0", "correct it or remove the column"));
   mistakes.settle();
 }
 
@@ -48,7 +46,7 @@ void check_positive(const std::vector<double>& sigma_m3, const RawSamples& sampl
 Trace read_trace(const std::filesystem::path& path, const TraceOptions& options) {
   const auto recording = open_recording(path);
   const TraceColumns columns = choose_columns(*recording, options);
-  Trace trace = described_by(columns, path.string());
+  Trace trace = empty_trace(columns, path.string());
   RawSamples samples(*recording, columns);
   check_enough_samples(samples, *recording);
   const ColumnName* clock = columns.time ? &columns.all[*columns.time] : nullptr;

@@ -6,20 +6,22 @@
 
 namespace trunk {
 
-/// Reads a breathing signal from a table in text, a MAT-file or EDF/BDF (see open_recording). Automatic are
-/// the columns `time_s|time_ms|time_min`, `volume_ml|volume_L|flow_L_s|flow_L_min|flow_ml_s` and optionally
-/// `sigma_ml`, also as "Time (s)" or "Flow [L/s]"; else those that say the same in other words or languages
-/// (see role_of), which a note tells; else a belt. Where both flow and volume exist the flow is taken, as
-/// ventilators reset their volume at each breath; a note says so.
+/// Reads a breathing signal from a text table, a MAT-file or EDF/BDF (see open_recording).
 ///
-/// Repaired, with a note: samples without a number where they miss up to 0.25 s (interpolated; cut off at
-/// either end), times of a resolution so coarse that samples share them (spread evenly). Noted: less than 10
-/// or more than 2000 samples a second.
+/// The documented columns are `time_s|time_ms|time_min`, `volume_ml|volume_L|flow_L_s|flow_L_min|flow_ml_s`
+/// and optionally `sigma_ml`, also written as "Time (s)" or "Flow [L/s]". If they are missing, columns with
+/// synonyms in several languages are used (see role_of), and a note names them. If there is no volume or
+/// flow, a belt is used. If there are both, the flow is used, since ventilators reset the volume at each
+/// breath; a note says so.
 ///
-/// Bounds (our choice): 200 MB of text, 10 million samples, 1 MB a line. Throws InputError, one line with
-/// file and line number, for everything that cannot be a recording: no such columns, more samples without a
-/// number, time that does not increase, a gap of more than 10 median steps and 0.25 s, fewer than 10 samples
-/// or than 4 a second; InputErrors where there are several.
+/// Two faults are repaired, with a note. Up to 0.25 s of samples without a number are interpolated, or
+/// removed at either end. Equal times of a coarse clock are spread evenly. Another note reports a rate below
+/// 10 or above 2000 samples per second.
+///
+/// The limits are our choice: 200 MB of text, 10 million samples, 1 MB per line. Throws InputErrors with file
+/// and line if columns are missing, if more samples have no number, if time does not increase, if a gap is
+/// longer than both 10 median steps and 0.25 s, or if there are fewer than 10 samples or fewer than 4 per
+/// second.
 Trace read_trace(const std::filesystem::path& path, const TraceOptions& options = {});
 
 }  // namespace trunk

@@ -1,5 +1,7 @@
 #include "traces/sample_times.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -25,8 +27,8 @@ struct Line {
   double at(std::size_t i) const { return start + step * static_cast<double>(i); }
 };
 
-// Least squares through the samples at which the clock moves on: those are within a step of its time, the
-// others anywhere in its resolution.
+// Returns evenly spaced times by least squares through the samples at which the clock advances. Their times
+// are right within one step; those of the other samples only within the resolution of the clock.
 Line even_course(const Times& time) {
   std::vector<std::size_t> moves;
   for (std::size_t i = 1; i < time.size(); ++i)
@@ -57,8 +59,9 @@ void spread_shared(Times& time, std::vector<std::string>& notes) {
     if (std::abs(time[i] - course.at(i)) > 1.01 * resolution) return;
   for (std::size_t i = 0; i < time.size(); ++i) time[i] = course.at(i);
   notes.push_back(
-      std::to_string(shared) + " samples share the time of the one before: the clock's resolution is " +
-      number_text(resolution) + " s; spread evenly, " + number_text(1 / course.step) + " a second");
+      fmt::format("{} samples share the time of the one before, since the resolution of the clock is {} s; "
+                  "all are spread evenly, {} a second",
+                  shared, number_text(resolution), number_text(1 / course.step)));
 }
 
 void check_gaps(const Times& time, double step, const RawSamples& samples) {
@@ -66,37 +69,38 @@ void check_gaps(const Times& time, double step, const RawSamples& samples) {
   for (std::size_t i = 1; i < time.size(); ++i) {
     const double gap = time[i] - time[i - 1];
     if (gap <= max_gap_steps * step || gap <= max_gap_s) continue;
-    mistakes.add(samples
-                     .error(i, "a gap of " + number_text(gap) + " s between " + number_text(time[i - 1], 8) +
-                                   " s and " + number_text(time[i], 8) + " s; expected samples every " +
-                                   number_text(step) +
-                                   " s; give the part before or after it as a file of its own")
-                     .mistake());
+    mistakes.add(samples.mistake_at(i,
+                                    fmt::format("a gap of {} s between {} s and {} s", number_text(gap),
+                                                number_text(time[i - 1], 8), number_text(time[i], 8)),
+                                    fmt::format("samples every {} s", number_text(step)),
+                                    "give the part before or after it as its own file"));
   }
   mistakes.settle();
 }
 
-// Where the times would make sense in another unit, that is what was meant.
+// If the times are plausible in another unit, the error suggests this unit.
 std::string hint_for(double step, const ColumnName* column) {
   if (column && column->unit == "s" && step / 1e3 <= 1 / lowest_rate_hz)
     return "the column named in seconds may hold milliseconds: name it time_ms or add --time-unit ms";
   if (column && column->unit == "min" && step / 60 <= 1 / lowest_rate_hz)
     return "the column named in minutes may hold seconds: name it time_s or add --time-unit s";
-  return column ? "give a recording of breathing and not of its averages" : "correct the rate";
+  return column ? "give a recording of single breaths, not of averages" : "correct the rate";
 }
 
 void check_rate(double step, const RawSamples& samples, const ColumnName* column,
                 std::vector<std::string>& notes) {
   const double rate = 1 / step;
   if (rate < lowest_rate_hz * (1 - 1e-6))
-    throw samples.error_of_all("a sample every " + number_text(step) + " s found; expected at least " +
-                               number_text(lowest_rate_hz) + " a second; " + hint_for(step, column));
+    throw samples.error(fmt::format("a sample every {} s found", number_text(step)),
+                        fmt::format("at least {} a second", number_text(lowest_rate_hz)),
+                        hint_for(step, column));
   if (rate < usual_low_hz * (1 - 1e-6))
-    notes.push_back("only " + number_text(rate) +
-                    " samples a second: times of breaths are no better than the steps between them");
+    notes.push_back(fmt::format(
+        "only {} samples a second: times of breaths are not more exact than the steps between samples",
+        number_text(rate)));
   if (rate > usual_high_hz * (1 + 1e-6))
-    notes.push_back(number_text(rate) +
-                    " samples a second are more than breathing has; is the unit of time right?");
+    notes.push_back(fmt::format(
+        "{} samples a second are more than breathing needs; is the unit of time right?", number_text(rate)));
 }
 
 }  // namespace
@@ -106,13 +110,11 @@ void check_increases(const Times& time, const RawSamples& samples, const ColumnN
   double last = -INFINITY;
   for (std::size_t i = 0; i < time.size(); ++i) {
     if (time[i] <= last)
-      mistakes.add(samples
-                       .error(i, "time " + number_text(time[i] / column.to_si, 10) + " found after " +
-                                     number_text(last / column.to_si, 10) + " in " + samples.word() + " " +
-                                     excerpt(column.text) +
-                                     "; expected times that increase from row to row; sort the rows or split "
-                                     "joined recordings")
-                       .mistake());
+      mistakes.add(samples.mistake_at(
+          i,
+          fmt::format("time {} found after {} in {} {}", number_text(time[i] / column.to_si, 10),
+                      number_text(last / column.to_si, 10), samples.word(), excerpt(column.text)),
+          "times that increase from row to row", "sort the rows or split joined recordings"));
     if (std::isfinite(time[i])) last = time[i];
   }
   mistakes.settle();

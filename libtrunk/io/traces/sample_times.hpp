@@ -7,16 +7,17 @@
 
 namespace trunk {
 
-/// Throws InputErrors where times do not increase; those that are missing (NaN) are passed over.
+/// Throws InputErrors if times do not increase. Missing times (NaN) are ignored.
 void check_increases(const std::vector<double>& time_s, const RawSamples& samples, const ColumnName& column);
 
-/// Checks the times of samples, in s and one each, and repairs what can be: where the clock was so coarse
-/// that samples share their times (three or more, and evenly: none is further from an even course than the
-/// clock's resolution, our choice) they are spread over that course. Adds notes, also on less than 10 or more
-/// than 2000 samples a second.
+/// Checks the times of samples, and repairs the times of a coarse clock. If three or more samples share their
+/// time with the one before, and no time is further from evenly spaced times than the resolution of the clock
+/// (our choice), the times become evenly spaced. Adds notes about the repair and about less than 10 or more
+/// than 2000 samples per second.
 ///
-/// Throws InputErrors: times that do not increase, gaps of more than 10 median steps and 0.25 s, less than 4
-/// samples a second. `column` names the times and their unit; null where they are counted.
+/// Throws InputErrors if times do not increase, if a gap is longer than both 10 median steps and 0.25 s, or
+/// if there are fewer than 4 samples per second. `column` is the column of the times, or null if the sampling
+/// rate gives them.
 void settle_times(std::vector<double>& time_s, const RawSamples& samples, const ColumnName* column,
                   std::vector<std::string>& notes);
 

@@ -89,12 +89,12 @@ std::string content_of(const std::filesystem::path& path) {
 
 }  // namespace
 
-TEST_CASE("a MAT-file gives vectors, columns and fields of structs") {
+TEST_CASE("A MAT-file gives vectors, columns and fields of structs") {
   const TemporaryFolder folder;
   const auto path = folder / "a.mat";
   const mat_ft version = GENERATE(MAT_FT_MAT5, MAT_FT_MAT73);
   CAPTURE(version);
-  SECTION("vectors, upright and lying") {
+  SECTION("column and row vectors") {
     {
       MatWriter file(path, version);
       file.write(MatWriter::matrix("time_s", hundredths_of_seconds(), samples));
@@ -151,7 +151,7 @@ TEST_CASE("a MAT-file gives vectors, columns and fields of structs") {
     options.time_column = "1";
     check_waves(read_trace(path, options), 1e-3);
   }
-  SECTION("lengths that differ") {
+  SECTION("different lengths") {
     {
       MatWriter file(path, version);
       file.write(MatWriter::matrix("time_s", {0, 1, 2}, 3));
@@ -164,7 +164,7 @@ TEST_CASE("a MAT-file gives vectors, columns and fields of structs") {
     MatWriter(path, version).write(MatWriter::matrix("x", {1.0}, 1));
     CHECK_THAT(trace_error_at(path), Contains("FILE: no vector of numbers found"));
   }
-  SECTION("values that are no numbers") {
+  SECTION("values that are not numbers") {
     auto values = waves();
     values[50] = NAN;
     {
@@ -177,7 +177,7 @@ TEST_CASE("a MAT-file gives vectors, columns and fields of structs") {
   }
 }
 
-TEST_CASE("a MAT-file that was cut is refused: libmatio would fill it up with zeros") {
+TEST_CASE("A MAT-file that is cut short is refused, since libmatio would fill it with zeros") {
   const TemporaryFolder folder;
   const auto path = folder / "a.mat";
   const bool compressed = GENERATE(true, false);
@@ -195,7 +195,7 @@ TEST_CASE("a MAT-file that was cut is refused: libmatio would fill it up with ze
   }
 }
 
-TEST_CASE("a damaged MAT-file is an error of one line, whatever libmatio does with it") {
+TEST_CASE("A damaged MAT-file gives an error of one line, even if libmatio crashes") {
   const TemporaryFolder folder;
   const auto path = folder / "a.mat";
   const mat_ft version = GENERATE(MAT_FT_MAT5, MAT_FT_MAT73);
@@ -245,7 +245,7 @@ TEST_CASE("EDF and BDF give channels at their own rates") {
              Contains("no channel '4' among 'SpO2', 'Resp flow', 'Thorax'"));
 }
 
-TEST_CASE("a damaged EDF file is an error of one line") {
+TEST_CASE("A damaged EDF file gives an error of one line") {
   const std::string good = edf_bytes({{"Flow", "L/s", 100, 2, wave}}, 4);
   REQUIRE(trace_error(good).empty());
   CHECK_THAT(trace_error(good.substr(0, good.size() - 1)),
@@ -259,7 +259,7 @@ TEST_CASE("a damaged EDF file is an error of one line") {
   CHECK_THAT(trace_error(bad), Contains("breaks the format"));
 }
 
-TEST_CASE("files of other formats are named") {
+TEST_CASE("Files of other known formats are named") {
   CHECK_THAT(trace_error("PK\x03\x04zip"), Contains("FILE: this is a spreadsheet (.xlsx"));
   CHECK_THAT(trace_error("\x89HDF\r\n"), Contains("binary file (HDF5") && Contains("expected text"));
   CHECK_THAT(trace_error("\x1F\x8Bgz"), Contains("gzip"));

@@ -29,7 +29,7 @@ void check_rows(const Trace& trace, double unit) {
 
 }  // namespace
 
-TEST_CASE("a trace is read into SI units by the unit in its header") {
+TEST_CASE("A trace is converted to SI units from the unit in its header") {
   struct Case {
     const char* header;
     SignalKind kind;
@@ -53,13 +53,13 @@ TEST_CASE("a trace is read into SI units by the unit in its header") {
   CHECK(trace.notes.empty());
 }
 
-TEST_CASE("time is read in seconds, milliseconds and minutes") {
+TEST_CASE("Time is read in seconds, milliseconds and minutes") {
   CHECK(trace_of("Time (s),volume_ml\n" + trace_rows()).time_s[10] == Approx(0.1));
   CHECK(trace_of("time_ms,volume_ml\n" + trace_rows()).time_s[10] == Approx(1e-4));
   CHECK(trace_of("TIME_MIN,volume_ml\n" + trace_rows("e-1,")).time_s[10] == Approx(0.6));
 }
 
-TEST_CASE("the ways in which spreadsheets write the same table") {
+TEST_CASE("The same table is read in all ways in which spreadsheets write it") {
   const std::string header = "time_s,volume_ml\n";
   SECTION("comments, blank lines, rows of empty cells") {
     check_rows(trace_of("# a comment\n\n" + header + "# another\n\n ,\n" + trace_rows() + "\n,,\n"), 1e-6);
@@ -115,7 +115,7 @@ TEST_CASE("the ways in which spreadsheets write the same table") {
   }
 }
 
-TEST_CASE("a decimal comma counts where the comma is no delimiter") {
+TEST_CASE("A decimal comma is accepted if the comma is not the delimiter") {
   std::string table = "Time (s);Volume (ml)\n";
   for (int i = 0; i < 12; ++i) table += "0," + std::to_string(10 + i) + ";+1,25e1\n";
   const Trace trace = trace_of(table);
@@ -125,7 +125,7 @@ TEST_CASE("a decimal comma counts where the comma is no delimiter") {
              Contains("FILE:2: 4 cells found") && Contains("semicolon"));
 }
 
-TEST_CASE("sigma is read where given") {
+TEST_CASE("Sigma is read if the file has it") {
   std::string table = "time_s,volume_ml,sigma_ml\n" + trace_rows(",", ",7\n");
   const Trace trace = trace_of(table);
   REQUIRE(trace.sigma_m3.size() == 12);
@@ -134,7 +134,7 @@ TEST_CASE("sigma is read where given") {
              Contains("FILE:2: sigma 0 found") && Contains("above 0"));
 }
 
-TEST_CASE("flow is preferred to volume, and said so; options choose otherwise") {
+TEST_CASE("Flow is preferred to volume with a note, and options change this") {
   const std::string table = "time_s,volume_L,flow_L_s,volume_from_flow_L\n" + trace_rows(",", ",2,3\n");
   const Trace automatic = trace_of(table);
   CHECK(automatic.kind == SignalKind::flow);
@@ -163,7 +163,7 @@ TEST_CASE("flow is preferred to volume, and said so; options choose otherwise") 
              Contains("FILE:1: no flow column") && Contains("'volume_L'"));
 }
 
-TEST_CASE("what is no readable file") {
+TEST_CASE("A file that cannot be read is refused") {
   const auto folder = std::filesystem::temp_directory_path();
   CHECK_THROWS_WITH(read_trace(folder / "trunk_no_such.csv"), Contains("trunk_no_such.csv: no such file"));
   CHECK_THROWS_WITH(read_trace(folder), Contains("directory"));
@@ -176,7 +176,7 @@ TEST_CASE("what is no readable file") {
              Contains("FILE:2: a line of 1000001 bytes"));
 }
 
-TEST_CASE("what is no usable header") {
+TEST_CASE("A header that cannot be used is refused with its line") {
   CHECK_THAT(trace_error("# made by hand\n" + trace_rows()),
              Contains("FILE:2: the first row starts with the number '0.00'") && Contains("header"));
   CHECK_THAT(trace_error("time_s,volume_ml\n\n"), Contains("FILE:1: a header without rows"));
@@ -202,7 +202,7 @@ TEST_CASE("what is no usable header") {
              Contains("FILE:1:") && Contains("double quote"));
 }
 
-TEST_CASE("what is no usable row, with its line") {
+TEST_CASE("A row that cannot be used is refused with its line") {
   const std::string head = "# comment\ntime_s,volume_ml\n" + trace_rows();  // rows end at line 14
   // More rows than are bridged, so that it is an error.
   const auto error = [&](const std::string& row) {
@@ -210,7 +210,8 @@ TEST_CASE("what is no usable row, with its line") {
     for (int i = 0; i < 30; ++i) text += row + "\n";
     return trace_error(text);
   };
-  CHECK_THAT(error("0.12"), Contains("FILE:15: 1 cell(s) found") && Contains("'volume_ml' is number 2"));
+  CHECK_THAT(error("0.12"), Contains("FILE:15: 1 cell(s) found") &&
+                                Contains("expected at least 2, since column 'volume_ml' is number 2"));
   CHECK_THAT(error("0.12,"), Contains("FILE:15: 1 cell(s) found"));
   CHECK_THAT(error(",3"), Contains("FILE:15: empty cell") && Contains("'time_s'"));
   CHECK_THAT(error("0.12,1,2"), Contains("FILE:15: 3 cells found; expected 2"));
@@ -224,7 +225,7 @@ TEST_CASE("what is no usable row, with its line") {
   CHECK_THAT(error("0.12,--1"), Contains("FILE:15: '--1'") && Contains("the first of 30 samples"));
 }
 
-TEST_CASE("what is no usable sampling") {
+TEST_CASE("Sampling that cannot be used is refused with its line") {
   const std::string head = "time_s,volume_ml\n" + trace_rows();  // rows end at line 13, at 0.11 s
   CHECK_THAT(trace_error(head + "0.10,1\n"),
              Contains("FILE:14: time 0.1 found after 0.11") && Contains("increase"));

@@ -1,6 +1,7 @@
 #include "recordings/edf/edf_recording.hpp"
 
 #include <edflib.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 
@@ -16,17 +17,14 @@ std::string without_padding(const char* field) {
 [[noreturn]] void refuse(const std::string& source, int reason) {
   switch (reason) {
     case EDFLIB_FILE_IS_DISCONTINUOUS:
-      throw InputError(source, 0,
-                       "an EDF+ recording with interruptions; expected a continuous one; export one "
-                       "uninterrupted part of it");
+      throw InputError({source}, "an EDF+ recording with interruptions", "a continuous one",
+                       "export one uninterrupted part of it");
     case EDFLIB_NO_SUCH_FILE_OR_DIRECTORY:
-      throw InputError(source, 0,
-                       "cannot be read; expected a readable EDF or BDF file; check its permissions");
+      throw InputError({source}, "cannot be read", "a readable EDF or BDF file", "check its permissions");
     default:
-      throw InputError(
-          source, 0,
-          "an EDF or BDF file that breaks the format or is cut short; expected a whole and valid "
-          "one; export it again, or let EDFbrowser name and repair the fault");
+      throw InputError({source}, "an EDF or BDF file that breaks the format or is cut short",
+                       "a whole and valid one",
+                       "export it again, or let EDFbrowser name and repair the fault");
   }
 }
 
@@ -45,7 +43,7 @@ class EdfRecording : public Recording {
     }
     if (channels.empty()) {
       edfclose_file(header_->handle);
-      throw InputError(source, 0, "an EDF file of annotations alone; expected a channel of flow or volume");
+      throw InputError({source}, "an EDF file with only annotations", "a channel of flow or volume");
     }
   }
   ~EdfRecording() override { edfclose_file(header_->handle); }
@@ -57,7 +55,7 @@ class EdfRecording : public Recording {
     for (const std::size_t channel : chosen) samples.values.push_back(values(channel));
     for (const auto& values : samples.values)
       if (values.size() != samples.values.front().size())
-        throw InputError(source, 0, "the chosen channels differ in their sampling rates; expected one rate");
+        throw InputError({source}, "the chosen channels differ in their sampling rates", "the same rate");
     return samples;
   }
 
@@ -65,15 +63,14 @@ class EdfRecording : public Recording {
   std::vector<double> values(std::size_t channel) {
     const long long count = header_->signalparam[channel].smp_in_file;
     if (count > static_cast<long long>(max_samples))
-      throw InputError(source, 0,
-                       std::to_string(count) + " samples found in channel '" + channels[channel].name +
-                           "'; expected at most " + std::to_string(max_samples) +
-                           "; export a part of the recording");
+      throw InputError({source},
+                       fmt::format("{} samples found in channel '{}'", count, channels[channel].name),
+                       fmt::format("at most {}", max_samples), "export a part of the recording");
     std::vector<double> values(static_cast<std::size_t>(std::max(count, 0LL)));
     const int signal = static_cast<int>(channel), wanted = static_cast<int>(values.size());
     edfrewind(header_->handle, signal);
     if (edfread_physical_samples(header_->handle, signal, wanted, values.data()) != wanted)
-      throw InputError(source, 0, "reading failed half way; check the disk");
+      throw InputError({source}, "reading stopped before the end", "", "check the disk");
     return values;
   }
 
@@ -86,7 +83,7 @@ bool is_edf(std::string_view start) {
   if (start.starts_with("\xFF"
                         "BIOSEMI"))
     return true;
-  // A text table may begin with a zero and blanks as well, but not with 256 characters on one line.
+  // A text table may also begin with a zero and spaces, but not with a line of 256 characters.
   return start.size() >= 256 && start.starts_with("0       ") &&
          std::none_of(start.begin(), start.begin() + 256, [](char c) { return c == '\n' || c == '\r'; });
 }

@@ -62,7 +62,7 @@ bool read_all(int file, std::string& bytes, std::size_t most_bytes) {
 
 std::optional<std::string> run_apart(const std::function<std::string()>& work, std::size_t most_bytes) {
   int ends[2];
-  std::fflush(nullptr);  // else the child has the parent's unwritten output too
+  std::fflush(nullptr);  // otherwise the child would write the parent's pending output again
   if (pipe2(ends, O_CLOEXEC) != 0) return std::nullopt;
   const pid_t child = fork();
   if (child == 0) {
@@ -72,7 +72,7 @@ std::optional<std::string> run_apart(const std::function<std::string()>& work, s
   close(ends[1]);
   std::string bytes;
   const bool whole = child > 0 && read_all(ends[0], bytes, most_bytes);
-  close(ends[0]);  // a child that still writes ends by SIGPIPE
+  close(ends[0]);  // SIGPIPE ends a child that still writes
   int status = 1;
   while (child > 0 && waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
   if (!whole || status != 0) return std::nullopt;

@@ -1,5 +1,6 @@
 #include "recordings/matlab/mat_variables.hpp"
 
+#include <fmt/format.h>
 #include <matio.h>
 
 #include <algorithm>
@@ -9,6 +10,7 @@
 #include <filesystem>
 #include <fstream>
 #include <memory>
+#include <stdexcept>
 
 #include "errors/input_error.hpp"
 #include "recordings/matlab/apart.hpp"
@@ -37,7 +39,7 @@ class Collector {
   }
 
  private:
-  /// The number of elements, where the data hold that many of `size` bytes; else 0.
+  /// Returns the number of elements if the data hold as many of `size` bytes; otherwise 0.
   static std::size_t elements(const matvar_t& v, std::size_t size) {
     std::size_t count = 0;
     if (size == 0 || __builtin_mul_overflow(v.dims[0], v.dims[1], &count)) return 0;
@@ -62,7 +64,7 @@ class Collector {
   void take(const matvar_t& v, const std::string& name) {
     const std::size_t count = elements(v, sizeof(T));
     if (count == 0) return;
-    if (count > left_) throw InputError("more numbers than this program reads, expected a shorter recording");
+    if (count > left_) throw std::runtime_error("too many numbers");
     left_ -= count;
     MatVariable variable{name, v.dims[0], v.dims[1], std::vector<double>(count), {}};
     const auto* data = static_cast<const T*>(v.data);
@@ -95,7 +97,7 @@ class Collector {
     }
   }
 
-  /// A char matrix, one text a row; what is not ASCII becomes '?'.
+  /// Returns the texts of a char matrix, one per row; characters that are not ASCII become '?'.
   static std::vector<std::string> char_rows(const matvar_t& v) {
     const std::size_t size = Mat_SizeOf(v.data_type);
     if ((size != 1 && size != 2) || elements(v, size) == 0) return {};
@@ -138,7 +140,7 @@ std::string read_packed(const std::string& path, std::size_t most_values) {
     void operator()(matvar_t* variable) const { Mat_VarFree(variable); }
   };
   const std::unique_ptr<mat_t, Close> file(Mat_Open(path.c_str(), MAT_ACC_RDONLY));
-  if (!file) throw InputError("not a MAT-file");
+  if (!file) throw std::runtime_error("not a MAT-file");
   MatContent content;
   Collector collector(content, most_values);
   std::size_t count = 0;
@@ -151,7 +153,8 @@ std::string read_packed(const std::string& path, std::size_t most_values) {
 }
 
 /// A version 5 MAT-file is a header of 128 bytes and elements, each with its size in front (MathWorks,
-/// "MAT-File Format"). libmatio takes what a cut one lacks for zeros, which then look like a signal.
+/// "MAT-File Format"). If the file is cut short, libmatio reads the missing values as zeros, which look like
+/// a signal.
 void require_whole(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
   const auto read = [&](std::streamoff at, auto& into) {
@@ -163,7 +166,7 @@ void require_whole(const std::filesystem::path& path) {
   const bool native = version_and_order[2] == 'I' && version_and_order[3] == 'M';
   const bool swapped = version_and_order[2] == 'M' && version_and_order[3] == 'I';
   const char major = version_and_order[native ? 1 : 0];
-  if ((!native && !swapped) || major != 1) return;  // 1 is version 5; 2 is HDF5, which tells by itself
+  if ((!native && !swapped) || major != 1) return;  // 1 is version 5; 2 is HDF5, which detects this itself
   std::error_code unknown;
   const auto size = static_cast<std::uintmax_t>(std::filesystem::file_size(path, unknown));
   if (unknown) return;
@@ -172,9 +175,8 @@ void require_whole(const std::filesystem::path& path) {
     const bool complete = size - at >= sizeof tag && read(static_cast<std::streamoff>(at), tag);
     const std::uint32_t bytes = swapped ? __builtin_bswap32(tag[1]) : tag[1];
     if (!complete || bytes > size - at - sizeof tag)
-      throw InputError(
-          path.string(), 0,
-          "the file ends in the middle of a variable; expected a whole MAT-file; copy or save it again");
+      throw InputError({path.string()}, "the file ends in the middle of a variable", "a whole MAT-file",
+                       "copy or save it again");
     at += sizeof tag + bytes;
   }
 }
@@ -187,10 +189,10 @@ MatContent read_mat_variables(const std::filesystem::path& path, std::size_t mos
   const auto bytes = run_apart([&] { return read_packed(name, most_values); },
                                sizeof(double) * most_values + (std::size_t{64} << 20));
   if (!bytes)
-    throw InputError(name, 0,
-                     "a MAT-file that is damaged, or holds more than " +
-                         std::to_string(most_values / 1'000'000) +
-                         " million numbers; expected a whole and smaller one; save the signals again, alone");
+    throw InputError({name},
+                     fmt::format("the MAT-file is damaged, or holds more than {} million numbers",
+                                 most_values / 1'000'000),
+                     "a whole and smaller file", "save only the signals again");
   return unpacked(*bytes);
 }
 

@@ -1,5 +1,7 @@
 #include "recordings/matlab/matlab_recording.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -20,7 +22,7 @@ std::string lower_case(std::string text) {
   return text;
 }
 
-/// "rec.Sampling_Rate" => "samplingrate": the field's own name, by which its meaning is known.
+/// Returns the own name of a field, which gives its meaning: "samplingrate" for "rec.Sampling_Rate".
 std::string own_name(const MatVariable& variable) {
   std::string name = lower_case(variable.name.substr(variable.name.find_last_of('.') + 1));
   std::erase(name, '_');
@@ -57,19 +59,20 @@ class MatlabRecording : public Recording {
 
   Samples read(std::span<const std::size_t> chosen) override {
     Samples samples;
-    for (const std::size_t channel : chosen) samples.values.push_back(places_[channel].values());
+    for (const std::size_t channel : chosen) samples.values.push_back(slices_[channel].values());
     for (std::size_t i = 1; i < chosen.size(); ++i)
       if (samples.values[i].size() != samples.values[0].size())
-        throw InputError(source, 0,
-                         std::to_string(samples.values[0].size()) + " values found in variable '" +
-                             channels[chosen[0]].name + "' and " + std::to_string(samples.values[i].size()) +
-                             " in '" + channels[chosen[i]].name + "'; expected as many; choose others");
+        throw InputError(
+            {source},
+            fmt::format("{} values found in variable '{}' and {} in '{}'", samples.values[0].size(),
+                        channels[chosen[0]].name, samples.values[i].size(), channels[chosen[i]].name),
+            "equal numbers of values", "choose other variables");
     return samples;
   }
 
  private:
   /// One row or column of a variable.
-  struct Place {
+  struct Slice {
     const MatVariable* variable;
     std::size_t first, stride, count;
     std::vector<double> values() const {
@@ -80,11 +83,10 @@ class MatlabRecording : public Recording {
   };
 
   [[noreturn]] void refuse_empty() const {
-    throw InputError(source, 0,
-                     content_.has_objects
-                         ? "nothing but objects such as a table or timetable found, which only MATLAB reads; "
-                           "expected vectors or a struct; save S = table2struct(T, 'ToScalar', true)"
-                         : "no vector of numbers found; expected variables such as time_s and flow_L_s");
+    if (content_.has_objects)
+      throw InputError({source}, "only objects such as a table or timetable found, which only MATLAB reads",
+                       "vectors or a struct", "save S = table2struct(T, 'ToScalar', true)");
+    throw InputError({source}, "no vector of numbers found", "variables such as time_s and flow_L_s");
   }
 
   double rate_hz() const {
@@ -97,9 +99,9 @@ class MatlabRecording : public Recording {
                                                    : 0;
       if (rate == 0) continue;
       if (found > 0 && std::abs(rate / found - 1) > 1e-6)
-        throw InputError(source, 0,
-                         "two sampling rates found, the other in variable '" + v.name +
-                             "'; expected one; give a vector of times, or save the signal alone");
+        throw InputError({source},
+                         fmt::format("two sampling rates found, the second in variable '{}'", v.name),
+                         "one rate", "give a vector of times, or save only the signal");
       found = rate;
     }
     return found;
@@ -116,7 +118,8 @@ class MatlabRecording : public Recording {
     return nullptr;
   }
 
-  /// The entry of a list of texts that goes with column i of a matrix of `width`.
+  /// Returns the text for column i of a matrix of `width` columns from a list of texts; "" if there is no
+  /// such list.
   template <std::size_t n>
   std::string entry(const std::array<std::string_view, n>& names, std::size_t i, std::size_t width) const {
     for (const MatVariable& v : content_.variables)
@@ -145,12 +148,12 @@ class MatlabRecording : public Recording {
     return "";
   }
 
-  void add(Channel channel, Place place) {
+  void add(Channel channel, Slice slice) {
     channels.push_back(std::move(channel));
-    places_.push_back(place);
+    slices_.push_back(slice);
   }
 
-  /// "rec.flow" => "flow", where there is no other.
+  /// Shortens "rec.flow" to "flow" if no other channel has this name.
   void shorten_names() {
     std::map<std::string, int> count;
     const auto last_part = [](const std::string& name) { return name.substr(name.find_last_of('.') + 1); };
@@ -160,7 +163,7 @@ class MatlabRecording : public Recording {
   }
 
   MatContent content_;
-  std::vector<Place> places_;  // of the channels
+  std::vector<Slice> slices_;  // [channels]
 };
 
 }  // namespace

@@ -8,15 +8,19 @@
 
 namespace trunk {
 
-/// Whether a file that starts with these bytes (128 where it has them) says that it is a MAT-file (version 5,
-/// 7 or 7.3).
+/// Returns whether a file that starts with these bytes (at least 128, if it has them) is a MAT-file of
+/// version 5, 7 or 7.3.
 bool is_matlab(std::string_view start);
 
-/// The vectors of a MAT-file, the columns of its matrices (rows, where those are longer) and the fields of
-/// its structs, as channels. A scalar named like fs, srate or sampling_rate is the rate of all; dt, ts or isi
-/// the interval, in the unit that isi_units says, else s. A text `flow_units` is the unit of `flow`; a list
-/// of texts named labels, titles or names, as long as a matrix is wide, names its columns, units likewise.
-/// Throws InputError: damaged, nothing but objects, no vector.
+/// Opens a MAT-file. Its channels are its vectors, the columns of its matrices (or the rows, if they are
+/// longer), and the fields of its structs.
+///  - A scalar with a name like fs, srate or sampling_rate is the sampling rate of all channels.
+///  - A scalar dt, ts or isi is the sampling interval, in s or in the unit that isi_units gives.
+///  - A text flow_units is the unit of the channel flow.
+///  - A list of texts such as labels, titles or names gives the names of the columns of a matrix if it has as
+///    many entries, and a list units gives their units.
+///
+/// Throws InputError if the file is damaged, or if it has no vector of numbers.
 std::unique_ptr<Recording> open_matlab(const std::filesystem::path& path);
 
 }  // namespace trunk

@@ -10,7 +10,7 @@
 
 namespace trunk {
 
-/// What a MAT-file holds as bytes, from one process to another on the same machine.
+/// Returns the content of a MAT-file as bytes, for another process on the same machine.
 inline std::string packed(const MatContent& content) {
   std::string bytes;
   const auto number = [&](std::uint64_t n) { bytes.append(reinterpret_cast<const char*>(&n), sizeof n); };
@@ -32,7 +32,8 @@ inline std::string packed(const MatContent& content) {
   return bytes;
 }
 
-/// The reverse. A crash may have spoilt the bytes: throws std::runtime_error where they end too early.
+/// Returns the content of bytes from packed(). A crash may have damaged them: throws std::runtime_error if
+/// they end too early.
 inline MatContent unpacked(std::string_view bytes) {
   const auto take = [&](std::size_t count) {
     if (count > bytes.size()) throw std::runtime_error("the reader of MAT-files ended half way");

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "tables/column_names.hpp"
+
+/// Private to the tables layer: the words of column headers, in lower case and joined by "_".
+namespace trunk {
+
+struct UnitSpelling {
+  std::string_view suffix;  ///< of a name: "_l_min"
+  Unit unit;
+};
+
+/// Returns all spellings of units. Several may match the end of a name; the longest one counts.
+std::span<const UnitSpelling> unit_spellings();
+
+/// Returns the gas conditions that spirometers write after a unit, such as "_btps".
+std::span<const std::string_view> gas_conditions();
+
+struct ColumnWord {
+  std::string_view text;
+  Role role;
+};
+
+/// Returns the words that give a column its role.
+std::span<const ColumnWord> column_words();
+
+/// Returns the words that do not change the role of a column. "resp", "breathing" and "chest" mean a belt if
+/// they stand alone.
+std::span<const std::string_view> ignored_words();
+
+}  // namespace trunk
