@@ -38,12 +38,11 @@ void check_free(const std::string& name, const ScenarioFile& file) {
   const std::string key(p.scenario_key);
   const bool starts_here = p.group == FreeParameter::Group::mechanics;
   if (const double value = p.field(start); starts_here && !(value >= p.lower && value <= p.upper))
-    throw InputError(fmt::format("{}: {} starts a fit at {:g} {}, expected {:g} to {:g}", file.where(key),
-                                 p.name, value, p.unit, p.lower, p.upper));
+    throw InputError(file.where(key), fmt::format("{} starts a fit at {:g} {}", p.name, value, p.unit),
+                     fmt::format("{:g} to {:g}", p.lower, p.upper));
   if (name == "k_muscle" && file.scenario.tissue.paralysed == Side::both)
-    throw InputError(
-        fmt::format("{}: k_muscle has no effect where both sides are paralysed, expected it fixed",
-                    file.where("paralysis.side")));
+    throw InputError(file.where("paralysis.side"), "k_muscle has no effect if both sides are paralysed",
+                     "k_muscle fixed");
 }
 
 std::vector<std::string> check_names(const FitPlan& plan, Mistakes& mistakes) {

@@ -1,7 +1,6 @@
 #include "scenarios/build_trunk.hpp"
 
 #include "dynamics/auto_time_step.hpp"
-#include "errors/input_error.hpp"
 
 namespace trunk {
 
@@ -14,13 +13,9 @@ Trunk build_trunk(const ScenarioFile& file) {
 Trunk assemble_trunk(const ScenarioFile& file) {
   try {
     return make_trunk(file.scenario);
-  } catch (const InputErrors&) {
-    throw;  // of loads, which name their own lines
   } catch (const InputError& error) {
-    if (!error.mistake().at.file.empty()) throw;  // of a rigid part, which names its own line
-    Mistake mistake = error.mistake();
-    mistake.at = {file.scenario.mesh ? file.scenario.mesh_file : file.path};
-    throw InputError(std::move(mistake));
+    // Loads and rigid parts name their own lines.
+    rethrow_at({file.scenario.mesh ? file.scenario.mesh_file : file.path}, error);
   }
 }
 
@@ -28,9 +23,7 @@ void require_stable(const ScenarioFile& file, const Trunk& trunk) {
   try {
     require_stable(file.scenario, trunk);
   } catch (const InputError& error) {
-    Mistake mistake = error.mistake();
-    mistake.at = {file.where("time.dt_ms")};
-    throw InputError(std::move(mistake));
+    rethrow_at(file.where("time.dt_ms"), error);
   }
 }
 

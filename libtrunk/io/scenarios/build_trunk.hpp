@@ -4,15 +4,15 @@
 
 namespace trunk {
 
-/// Builds the trunk and requires a stable time step, unless that is still to be chosen. InputErrors name the
-/// file and line to change.
+/// Builds the trunk of a scenario and checks that its time step is stable, unless the step is still "auto".
+/// Throws InputError with the file and the line to change.
 Trunk build_trunk(const ScenarioFile& file);
 
-/// The same, and chooses the time step where the scenario says "auto", which takes some simulations; one that
-/// serves a model `stiffer` times as stiff.
+/// Builds the trunk like build_trunk. If the time step is "auto", it also chooses the step with some
+/// simulations. The step suits a model that is `stiffer` times as stiff.
 Trunk build_timed_trunk(ScenarioFile& file, double stiffer = 1.0);
 
-/// The two by themselves.
+/// The two parts of build_trunk.
 Trunk assemble_trunk(const ScenarioFile& file);
 void require_stable(const ScenarioFile& file, const Trunk& trunk);
 

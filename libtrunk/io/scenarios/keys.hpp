@@ -10,15 +10,15 @@
 
 namespace trunk {
 
-/// One key of a scenario file. The table of keys is the only place that knows their names, units and limits:
-/// reading, writing, `--set`, help and messages all go through it.
+/// One key of a scenario file. The table of keys is the only place that holds their names, units and limits.
+/// Reading, writing, `--set`, help and messages all use it.
 struct ScenarioKey {
   struct Number {
     std::string_view unit;  // as in the key's name
     double to_si;           // SI value = file value * to_si
     double low, high;       // allowed, in the file's unit
     double& (*field)(Scenario&);
-    bool& (*automatic)(Scenario&) = nullptr;  // may be "auto" instead of a number
+    bool& (*automatic)(Scenario&) = nullptr;  // set if the key may be "auto"
   };
   struct Integer {
     int low, high;
@@ -35,7 +35,7 @@ struct ScenarioKey {
   struct Text {
     std::string& (*field)(Scenario&);
   };
-  struct File {  // relative to the file that names it, or to the working folder; kept absolute
+  struct File {  // relative to the file that names it, or to the working folder; stored as an absolute path
     std::string& (*field)(Scenario&);
   };
 
@@ -46,20 +46,21 @@ struct ScenarioKey {
 
 std::span<const ScenarioKey> scenario_keys();
 
-/// What a key's value should look like, in words: "a number of mm, 50 to 400".
+/// Returns the expected value of a key in words: "a number of mm, 50 to 400".
 std::string expectation(const ScenarioKey& key);
 
-/// The unit of a number key as UDUNITS spell it, "N m-1" for N_per_m; "1" for pure numbers and unknown keys.
+/// Returns the unit of a key as UDUNITS spells it: "N m-1" for N_per_m, "1" for pure numbers and unknown
+/// keys.
 std::string unit_of_key(std::string_view path);
 
-/// The known path nearest to an unknown one: the same name with another unit, else the fewest edits; empty
-/// where nothing is near.
+/// Returns the known path that is most similar to an unknown one: the same name with another unit, or else
+/// the path with the smallest edit distance. Returns "" if no path is similar.
 std::string nearest_key(std::string_view unknown);
 
-/// A text in quotes as TOML takes it.
+/// Returns a text as a quoted TOML string.
 std::string toml_text(std::string_view text);
 
-/// A value in the file's unit, or the name of a choice, as TOML text.
+/// Returns the value of a key as TOML, in the unit of the key; a choice as its name.
 std::string toml_value(const ScenarioKey& key, const Scenario& scenario);
 
 }  // namespace trunk

@@ -7,7 +7,7 @@
 
 namespace trunk {
 
-/// How a kind of load is written: [[table]] with its course under `events`, in units of which one is `to_si`.
+/// The name of the table of one kind of load, the key of its events, and the factor from their unit to SI.
 struct LoadKey {
   RegionLoad::Kind kind;
   std::string_view table, events;
@@ -16,9 +16,8 @@ struct LoadKey {
 std::span<const LoadKey> load_keys();
 
 /// Reads the keys of a scenario that are not plain values: schema, extends (handled by the caller), gravity,
-/// the course of the abdominal volume, loads (also of an LML file) and [[rigid]] parts. Returns false for any
+/// the abdominal volume over time, loads (also from an LML file) and [[rigid]] parts. Returns false for any
 /// other key. Throws InputError.
-bool read_special(const std::string& path, const toml::node& node, const TomlPlace& place,
-                  Scenario& scenario);
+bool read_special(const std::string& path, const toml::node& node, const Place& place, Scenario& scenario);
 
 }  // namespace trunk

@@ -3,14 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
-#include "errors/input_error.hpp"
 #include "files/read_file.hpp"
 #include "scenarios/keys.hpp"
 #include "scenarios/loads.hpp"
+#include "scenarios/scenario_trunk.hpp"
 #include "scenarios/toml_values.hpp"
-#include "trunks/read_trunk_pml.hpp"
 
 namespace trunk {
 namespace {
@@ -27,10 +25,10 @@ struct Assign {
   Scenario& scenario;
   const ScenarioKey& key;
   const toml::node& node;
-  const TomlPlace& place;
+  const Place& place;
 
   [[noreturn]] void wrong() const {
-    place.fail(fmt::format("{} is {}, expected {}", key.path, shown(node), expectation(key)));
+    throw InputError(place, fmt::format("{} is {}", key.path, shown(node)), expectation(key));
   }
   void operator()(const ScenarioKey::Number& n) const {
     const bool open = n.automatic && node.value_exact<std::string>() == "auto";
@@ -64,18 +62,19 @@ struct Assign {
   void operator()(const ScenarioKey::File& f) const {
     const auto value = node.value_exact<std::string>();
     if (!value) wrong();
-    f.field(scenario) = value->empty() || *value == "\"\"" ? "" : place.beside(*value).string();
+    f.field(scenario) = value->empty() || *value == "\"\"" ? "" : beside(place, *value).string();
   }
 };
 
-[[noreturn]] void unknown_key(const std::string& path, const TomlPlace& place) {
+[[noreturn]] void unknown_key(const std::string& path, const Place& place) {
   const std::string near = nearest_key(path);
   const ScenarioKey* key = find_key(near);
-  place.fail(fmt::format("unknown key '{}'{}; `trunk check --keys` lists all keys", path,
-                         key ? fmt::format(", expected '{}' ({})", key->path, expectation(*key)) : ""));
+  throw InputError(place, fmt::format("unknown key '{}'", path),
+                   key ? fmt::format("'{}' ({})", key->path, expectation(*key)) : "",
+                   "`trunk check --keys` lists all keys");
 }
 
-/// Reads on after a mistake: all are kept for the caller.
+/// Continues after a mistake, and gathers all of them for the caller.
 class Reader {
  public:
   Reader(ScenarioFile& file, Mistakes& mistakes) : file_(file), mistakes_(mistakes) {}
@@ -96,7 +95,7 @@ class Reader {
   }
 
   void set(const Setting& setting) {
-    const TomlPlace place{setting.where, 0};
+    const Place& place = setting.at;
     const std::string &path = setting.key, &text = setting.value;
     const ScenarioKey* key = find_key(path);
     if (!key) unknown_key(path, place);
@@ -112,49 +111,52 @@ class Reader {
       try {
         table = toml::parse("value = " + text);
         if (table.size() != 1)
-          place.fail(fmt::format("{} is '{}', expected {}", path, text, expectation(*key)));
+          throw InputError(place, fmt::format("{} is '{}'", path, text), expectation(*key));
       } catch (const toml::parse_error&) {
-        place.fail(fmt::format("{} is '{}', expected {}", path, text, expectation(*key)));
+        throw InputError(place, fmt::format("{} is '{}'", path, text), expectation(*key));
       }
     assign(*key, *table.get("value"), place);
   }
 
  private:
   void read_extended(const toml::node& base, const std::filesystem::path& path, int depth) {
-    const TomlPlace place{path.string(), base.source().begin.line};
+    const Place place{path.string(), base.source().begin.line};
     const auto named = base.value_exact<std::string>();
-    if (!named) place.fail("extends is " + shown(base) + ", expected the name of a scenario file");
-    if (depth >= 8) place.fail("extends goes more than 8 files deep; does a file extend itself?");
+    if (!named)
+      throw InputError(place, fmt::format("extends is {}", shown(base)), "the name of a scenario file");
+    if (depth >= 8)
+      throw InputError(place, "extends goes more than 8 files deep", "",
+                       "check whether a file extends itself");
     const auto parent = path.parent_path() / *named;
     std::error_code ignored;
     if (!std::filesystem::exists(parent, ignored))
-      place.fail(
-          fmt::format("extends {}: no such file, expected the name of a scenario file", parent.string()));
+      throw InputError(place, fmt::format("extends {}: no such file", parent.string()),
+                       "the name of a scenario file");
     read(parent, depth + 1);
   }
 
-  void assign(const ScenarioKey& key, const toml::node& node, const TomlPlace& place) {
+  void assign(const ScenarioKey& key, const toml::node& node, const Place& place) {
     std::visit(Assign{file_.scenario, key, node, place}, key.kind);
-    file_.origin[std::string(key.path)] = place.name();
+    file_.origin[std::string(key.path)] = place;
   }
 
   void read_table(const toml::table& table, const std::string& prefix, const std::string& name) {
     for (const auto& [key, value] : table) {
-      const TomlPlace place{name, key.source().begin.line};
+      const Place place{name, key.source().begin.line};
       mistakes_.gather(
           [&, &k = key, &node = value] { read_key(prefix + std::string(k.str()), node, place); });
     }
   }
 
-  void read_key(const std::string& path, const toml::node& node, const TomlPlace& place) {
+  void read_key(const std::string& path, const toml::node& node, const Place& place) {
     if (const ScenarioKey* key = find_key(path))
       assign(*key, node, place);
     else if (!read_special(path, node, place, file_.scenario))
       descend(path, node, place);
-    if (path == "loads") file_.inputs.push_back(place.beside(*node.value_exact<std::string>()));
+    if (path == "loads") file_.inputs.push_back(beside(place, *node.value_exact<std::string>()));
   }
 
-  void descend(const std::string& path, const toml::node& node, const TomlPlace& place) {
+  void descend(const std::string& path, const toml::node& node, const Place& place) {
     const bool is_table = std::any_of(scenario_keys().begin(), scenario_keys().end(),
                                       [&](const ScenarioKey& k) { return k.path.starts_with(path + "."); });
     if (!is_table || !node.is_table()) unknown_key(path, place);
@@ -165,59 +167,11 @@ class Reader {
   Mistakes& mistakes_;
 };
 
-/// Forgets the trunk that was read, with the rigid parts it brought.
-void drop_mesh(ScenarioFile& file) {
-  file.scenario.mesh.reset();
-  std::erase_if(file.scenario.rigid, [&](const RigidPart& part) { return part.at == Place{file.mesh_read}; });
-  file.mesh_read.clear();
-}
-
-/// Takes over a trunk; a rigid part that the scenario describes itself is not taken from it.
-void adopt(TrunkFile trunk, ScenarioFile& file) {
-  Scenario& scenario = file.scenario;
-  file.mesh_read = scenario.mesh_file;
-  for (RigidPart& part : trunk.rigid) part.at = {file.mesh_read};
-  scenario.mesh = std::make_shared<const TrunkMesh>(std::move(trunk.mesh));
-  for (RigidPart& part : trunk.rigid)
-    if (std::none_of(scenario.rigid.begin(), scenario.rigid.end(),
-                     [&](const RigidPart& own) { return own.region == part.region; }))
-      scenario.rigid.push_back(std::move(part));
-}
-
-/// Reads the trunk that the scenario names, unless it is there already.
-void read_mesh(ScenarioFile& file) {
-  Scenario& s = file.scenario;
-  if (s.mesh && file.mesh_read != s.mesh_file) drop_mesh(file);
-  if (s.mesh_file.empty() || s.mesh) return;
-  try {
-    adopt(read_trunk_pml(s.mesh_file), file);
-  } catch (const InputError& error) {
-    throw InputError(fmt::format("{}: {}", file.where("geometry.pml"), error.what()));
-  }
-  file.inputs.push_back(s.mesh_file);
-}
-
-bool says_something(const std::vector<double>& given) {
-  return std::any_of(given.begin(), given.end(), [](double value) { return std::isfinite(value); });
-}
-
-/// A value set by hand that the trunk's own file overrules would be ignored in silence.
-void require_effect(const Setting& setting, const Scenario& s) {
-  if (!s.mesh) return;
-  const TrunkMesh::Given& given = s.mesh->given;
-  const bool geometry = setting.key.starts_with("geometry.") && setting.key != "geometry.pml";
-  const bool mass = setting.key == "tissue.particle_mass_kg" && says_something(given.mass);
-  const bool tendon = setting.key == "tissue.tendon_stiffness_factor" && says_something(given.stiffness);
-  if (geometry || mass || tendon)
-    throw InputError(fmt::format("{}: has no effect, since the trunk comes from {} and says it itself",
-                                 setting.where, s.mesh_file));
-}
-
-/// Puts all settings over the scenario, then reads the trunk that it names.
+/// Applies all settings to the scenario, and then reads the trunk that it names.
 void put_over(const std::vector<Setting>& settings, ScenarioFile& file, Mistakes& mistakes) {
   for (const Setting& setting : settings) mistakes.gather([&] { Reader(file, mistakes).set(setting); });
   mistakes.settle();
-  read_mesh(file);
+  read_named_trunk(file);
   for (const Setting& setting : settings) mistakes.gather([&] { require_effect(setting, file.scenario); });
   mistakes.settle();
 }
@@ -230,9 +184,9 @@ std::vector<Setting> settings_of(const std::vector<std::string>& texts, Mistakes
 
 }  // namespace
 
-std::string ScenarioFile::where(const std::string& key) const {
+Place ScenarioFile::where(const std::string& key) const {
   const auto at = origin.find(key);
-  return at == origin.end() ? path : at->second;
+  return at == origin.end() ? Place{path} : at->second;
 }
 
 ScenarioFile read_scenario(const std::filesystem::path& path, const std::vector<std::string>& settings) {
@@ -252,8 +206,8 @@ ScenarioFile scenario_of_text(const std::string& text, const std::string& name,
   Mistakes mistakes;
   mistakes.gather([&] { Reader(file, mistakes).read_text(text, name, 0); });
   mistakes.settle();
-  if (!trunk_pml.empty()) adopt(trunk_of_pml(trunk_pml, name), file);
-  read_mesh(file);
+  if (!trunk_pml.empty()) adopt_trunk(trunk_of_pml(trunk_pml, name), file);
+  read_named_trunk(file);
   return file;
 }
 
@@ -261,7 +215,7 @@ Setting setting_of(const std::string& text) {
   const auto equals = text.find('=');
   if (equals == std::string::npos)
     throw InputError({"--set " + text}, "no '=' found", "key=value, as in parameters.k_muscle_N_per_m=30");
-  return {text.substr(0, equals), text.substr(equals + 1), "--set " + text};
+  return {text.substr(0, equals), text.substr(equals + 1), {"--set " + text}};
 }
 
 void apply_settings(const std::vector<Setting>& settings, ScenarioFile& file) {

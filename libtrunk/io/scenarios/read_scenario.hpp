@@ -9,43 +9,44 @@
 
 namespace trunk {
 
-/// A scenario together with where it came from.
+/// A scenario, and where its values come from.
 struct ScenarioFile {
   Scenario scenario;
   std::string path;
   std::string text;                           // the file as read
-  std::vector<std::filesystem::path> inputs;  // the file and those it extends, for provenance
-  std::string mesh_read;                      // the file that scenario.mesh came from
-  std::map<std::string, std::string> origin;  // key path -> file:line of the value in force
+  std::vector<std::filesystem::path> inputs;  // the file and all files that it names, for the provenance
+  std::string mesh_read;                      // the file that scenario.mesh comes from
+  std::map<std::string, Place> origin;        // path of a key -> place of the value that counts
 
-  /// "file:line" where the key was set, else the file.
-  std::string where(const std::string& key) const;
+  /// Returns the place where the key is set, or the file if it is set nowhere.
+  Place where(const std::string& key) const;
 };
 
-/// A value put over a scenario, as --set or a sweep does. `where` is for messages: "--set key=value",
-/// file:line.
+/// A value that replaces one of a scenario, as --set and sweeps do.
 struct Setting {
-  std::string key, value, where;
+  std::string key, value;
+  Place at;  // for messages: the option "--set key=value", or the line of a sweep
 };
 
-/// Takes "key=value" apart. Throws InputError.
+/// Returns the parts of "key=value"; throws InputError if there is no "=".
 Setting setting_of(const std::string& text);
 
-/// Reads a scenario. `extends = "other.toml"` (relative to the file) is read first and overridden. Throws
-/// InputError with file, line, what was found and what was expected on anything that is not understood: TOML
-/// syntax, unknown keys, wrong units, numbers out of range or not finite, a chain of files that extends
-/// itself; InputErrors, so that one reading finds all that is wrong. `settings` are "key=value" texts as
-/// given to --set, applied last.
+/// Reads a scenario. The file of `extends = "other.toml"` (relative to the scenario) is read first, and the
+/// scenario replaces its values. `settings` are texts "key=value" as given to --set, and are applied last.
+///
+/// Throws InputErrors with all mistakes, each with its file and line: wrong TOML syntax, unknown keys, wrong
+/// units, numbers that are out of range or not finite, and a chain of files that extends itself.
 ScenarioFile read_scenario(const std::filesystem::path& path, const std::vector<std::string>& settings = {});
 
-/// A scenario from its text, as results files keep it, with the PML text of its trunk where it has one.
+/// Reads a scenario from its text and the PML text of its trunk, as results files store them. `trunk_pml` is
+/// "" for the parametric trunk. Throws as read_scenario does.
 ScenarioFile scenario_of_text(const std::string& text, const std::string& name, const std::string& trunk_pml);
 
-/// Puts values over a scenario that was read. Throws as read_scenario does.
+/// Replaces values of a scenario. Throws as read_scenario does.
 void apply_settings(const std::vector<Setting>& settings, ScenarioFile& file);
 void apply_settings(const std::vector<std::string>& settings, ScenarioFile& file);
 
-/// The whole scenario as TOML, every key with its value: reading it gives the same scenario.
+/// Returns the whole scenario as TOML with the value of every key. Reading it gives the same scenario.
 std::string to_toml(const Scenario& scenario);
 
 }  // namespace trunk

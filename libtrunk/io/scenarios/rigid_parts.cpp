@@ -6,27 +6,27 @@
 namespace trunk {
 namespace {
 
-RigidBody::Motion motion_of(const toml::node& value, const TomlPlace& at) {
+RigidBody::Motion motion_of(const toml::node& value, const Place& at) {
   const auto word = value.value_exact<std::string>();
   if (word == "fixed") return RigidBody::Motion::fixed;
   if (word == "driven") return RigidBody::Motion::driven;
   if (word == "free") return RigidBody::Motion::free;
-  at.fail(fmt::format("rigid.motion is {}, expected \"fixed\", \"driven\" or \"free\"", shown(value)));
+  throw InputError(at, fmt::format("rigid.motion is {}", shown(value)), "\"fixed\", \"driven\" or \"free\"");
 }
 
-/// Divided, so that it is read back to the bit.
+/// Converts to mm by division, so that reading gives the same bits.
 Vec3d in_mm(const Vec3d& a) {
-  return {a.x() / 1e-3, a.y() / 1e-3, a.z() / 1e-3};
+  return {a.x() / m_per_mm, a.y() / m_per_mm, a.z() / m_per_mm};
 }
 
 }  // namespace
 
-RigidPart rigid_part_of(const toml::table& table, const TomlPlace& place) {
+RigidPart rigid_part_of(const toml::table& table, const Place& place) {
   RigidPart part;
-  part.at = {place.file, place.line};
+  part.at = place;
   part.imposed.axis = {0.0, 0.0, 1.0};
   bool has_axis = false, has_point = false;
-  const auto read_key = [&](const std::string& key, const toml::node& value, const TomlPlace& at) {
+  const auto read_key = [&](const std::string& key, const toml::node& value, const Place& at) {
     ImposedMotion& imposed = part.imposed;
     if (key == "region" && value.is_string()) {
       part.region = *value.value_exact<std::string>();
@@ -35,11 +35,12 @@ RigidPart rigid_part_of(const toml::table& table, const TomlPlace& place) {
     } else if (key == "motion") {
       part.motion = motion_of(value, at);
     } else if (key == "axis_point_mm") {
-      imposed.point = 1e-3 * direction_of(value, "rigid." + key, at);
+      imposed.point = m_per_mm * direction_of(value, "rigid." + key, at);
       has_point = true;
     } else if (key == "axis") {
       imposed.axis = direction_of(value, "rigid." + key, at);
-      if (dot(imposed.axis, imposed.axis) == 0.0) at.fail("rigid.axis is zero, expected a direction");
+      if (dot(imposed.axis, imposed.axis) == 0.0)
+        throw InputError(at, "rigid.axis is zero", "a direction that is not zero");
       has_axis = true;
       const double length = norm(imposed.axis);
       if (std::abs(length - 1.0) > 1e-15) imposed.axis = (1.0 / length) * imposed.axis;
@@ -48,28 +49,29 @@ RigidPart rigid_part_of(const toml::table& table, const TomlPlace& place) {
     } else if (key == "direction") {
       imposed.direction = direction_of(value, "rigid." + key, at);
     } else if (key == "events_mm") {
-      imposed.shift = events_of(value, "rigid." + key, 1e-3, 0.0, at);
+      imposed.shift = events_of(value, "rigid." + key, m_per_mm, 0.0, at);
     } else {
-      at.fail(
-          fmt::format("unknown or wrong key '{}' in [[rigid]], expected region, motion, surface_for, axis, "
-                      "axis_point_mm, events_deg, direction or events_mm",
-                      key));
+      throw InputError(
+          at, fmt::format("unknown or wrong key '{}' in [[rigid]]", key),
+          "region, motion, surface_for, axis, axis_point_mm, events_deg, direction or events_mm");
     }
   };
   for_each_key(table, place, read_key);
   const bool moves = !part.imposed.angle.empty() || !part.imposed.shift.empty();
-  if (part.region.empty()) place.fail("[[rigid]] is incomplete, expected region");
+  if (part.region.empty()) throw InputError(place, "[[rigid]] is incomplete", "region");
   if (moves != (part.motion == RigidBody::Motion::driven))
-    place.fail(
-        "[[rigid]] has events_deg or events_mm where its motion is not \"driven\", or none where it is");
+    throw InputError(place,
+                     moves ? "[[rigid]] has events_deg or events_mm, but its motion is not \"driven\""
+                           : "[[rigid]] is driven, but has neither events_deg nor events_mm",
+                     moves ? "motion = \"driven\" or no events" : "events or another motion");
   if (!part.imposed.angle.empty() && !(has_axis && has_point))
-    place.fail("[[rigid]] has events_deg and not both axis and axis_point_mm, expected both");
+    throw InputError(place, "[[rigid]] has events_deg, but not both axis and axis_point_mm", "both");
   if (!part.imposed.shift.empty() && dot(part.imposed.direction, part.imposed.direction) == 0.0)
-    place.fail("[[rigid]] has events_mm and no direction, expected one that is not zero");
+    throw InputError(place, "[[rigid]] has events_mm, but no direction", "a direction that is not zero");
   for (const PiecewiseLinear* course : {&part.imposed.angle, &part.imposed.shift})
     if (!course->empty() && course->events().front().value != 0.0)
-      place.fail(
-          "[[rigid]] does not begin at 0, expected events whose first value is 0: the part would jump");
+      throw InputError(place, "[[rigid]] does not begin at 0, so the part would jump",
+                       "events whose first value is 0");
   return part;
 }
 
@@ -95,7 +97,7 @@ std::string to_toml(const RigidPart& part) {
                         toml_direction(m.axis), toml_events(m.angle, rad_per_degree));
   if (!m.shift.empty())
     text += fmt::format("direction = {}\nevents_mm = {}\n", toml_direction(m.direction),
-                        toml_events(m.shift, 1e-3));
+                        toml_events(m.shift, m_per_mm));
   return text;
 }
 

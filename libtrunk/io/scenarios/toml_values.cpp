@@ -9,16 +9,9 @@
 
 namespace trunk {
 
-void TomlPlace::fail(const std::string& text) const {
-  throw InputError(file, line, text);
-}
-
-std::string TomlPlace::name() const {
-  return line > 0 ? fmt::format("{}:{}", file, line) : file;
-}
-
-std::filesystem::path TomlPlace::beside(const std::string& name) const {
-  const auto folder = line > 0 ? std::filesystem::path(file).parent_path() : std::filesystem::path();
+std::filesystem::path beside(const Place& place, const std::string& name) {
+  const bool in_file = place.line > 0;
+  const auto folder = in_file ? std::filesystem::path(place.file).parent_path() : std::filesystem::path();
   return std::filesystem::absolute(folder / name).lexically_normal();
 }
 
@@ -35,45 +28,48 @@ toml::table parse_toml(const std::string& text, const std::string& file) {
   try {
     return toml::parse(text, file);
   } catch (const toml::parse_error& error) {
-    throw InputError(file, error.source().begin.line,
-                     fmt::format("not valid TOML: {}", std::string(error.description())));
+    throw InputError({file, error.source().begin.line},
+                     fmt::format("not valid TOML: {}", error.description()));
   }
 }
 
 double number_of(const toml::node& node, const std::string& what, const std::string& expected,
-                 const TomlPlace& place) {
+                 const Place& place) {
   const auto value = node.value<double>();
   if (!value || node.is_boolean() || node.is_string())
-    place.fail(fmt::format("{} is {}, expected {}", what, shown(node), expected));
-  if (!std::isfinite(*value)) place.fail(fmt::format("{} is not finite, expected {}", what, expected));
+    throw InputError(place, fmt::format("{} is {}", what, shown(node)), expected);
+  if (!std::isfinite(*value)) throw InputError(place, fmt::format("{} is not finite", what), expected);
   return *value;
 }
 
 PiecewiseLinear events_of(const toml::node& node, const std::string& what, double to_si, double before,
-                          const TomlPlace& place) {
+                          const Place& place) {
   const std::string expected = "a list of [time in s, value] pairs, times increasing";
   const toml::array* list = node.as_array();
-  if (!list || list->empty()) place.fail(fmt::format("{} is {}, expected {}", what, shown(node), expected));
+  if (!list || list->empty()) throw InputError(place, fmt::format("{} is {}", what, shown(node)), expected);
   std::vector<PiecewiseLinear::Event> events;
   for (const toml::node& item : *list) {
     const toml::array* pair = item.as_array();
     if (!pair || pair->size() != 2)
-      place.fail(fmt::format("{} has {}, expected {}", what, shown(item), expected));
+      throw InputError(place, fmt::format("{} has {}", what, shown(item)), expected);
     events.push_back({number_of(*pair->get(0), what, expected, place),
                       to_si * number_of(*pair->get(1), what, expected, place)});
   }
   try {
     return PiecewiseLinear(std::move(events), before);
   } catch (const InputError& error) {
-    place.fail(fmt::format("{}: {}", what, error.what()));
+    Mistake mistake = error.mistake();
+    mistake.at = place;
+    mistake.found = fmt::format("{}: {}", what, mistake.found);
+    throw InputError(std::move(mistake));
   }
 }
 
-Vec3d direction_of(const toml::node& node, const std::string& what, const TomlPlace& place) {
+Vec3d direction_of(const toml::node& node, const std::string& what, const Place& place) {
   const std::string expected = "three numbers [right, forward, up]";
   const toml::array* list = node.as_array();
   if (!list || list->size() != 3)
-    place.fail(fmt::format("{} is {}, expected {}", what, shown(node), expected));
+    throw InputError(place, fmt::format("{} is {}", what, shown(node)), expected);
   const auto at = [&](std::size_t i) { return number_of(*list->get(i), what, expected, place); };
   return {at(0), at(1), at(2)};
 }

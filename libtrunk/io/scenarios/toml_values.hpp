@@ -5,33 +5,28 @@
 #include <filesystem>
 #include <string>
 
+#include "errors/input_error.hpp"
 #include "math/piecewise_linear.hpp"
 #include "math/vec3.hpp"
 
 namespace trunk {
 
-/// Where a TOML value stands, for messages. Line 0: not in a file.
-struct TomlPlace {
-  std::string file;
-  std::size_t line;
-  [[noreturn]] void fail(const std::string& text) const;  // throws InputError
-  std::string name() const;                               // "file:line"
-  /// A file name as the place means it: beside the file, or where the program runs when it is not in one.
-  std::filesystem::path beside(const std::string& name) const;
-};
+/// Returns the absolute path of a file that is named at `place`: relative to the folder of the file, or to
+/// the working folder if `place` is an option (line 0).
+std::filesystem::path beside(const Place& place, const std::string& name);
 
-/// A value as a message quotes it: one line, cut after 60 characters.
+/// Returns a value as messages quote it: on one line, cut after 60 characters.
 std::string shown(const toml::node& node);
 
-/// Throws InputError with file and line where the text is not TOML.
+/// Returns the table of a TOML text; throws InputError with file and line if the text is not valid TOML.
 toml::table parse_toml(const std::string& text, const std::string& file);
 
-/// Readers of one value. `what` names it in messages. Throw InputError: another type, a number that is not
-/// finite, times that do not increase.
+/// Readers of one value, which messages call `what`. They throw InputError at `place` if the value has
+/// another type, if a number is not finite or if times do not increase.
 double number_of(const toml::node& node, const std::string& what, const std::string& expected,
-                 const TomlPlace& place);
+                 const Place& place);
 PiecewiseLinear events_of(const toml::node& node, const std::string& what, double to_si, double before,
-                          const TomlPlace& place);
-Vec3d direction_of(const toml::node& node, const std::string& what, const TomlPlace& place);
+                          const Place& place);
+Vec3d direction_of(const toml::node& node, const std::string& what, const Place& place);
 
 }  // namespace trunk

@@ -10,6 +10,7 @@
 
 #include "errors/input_error.hpp"
 #include "files/read_file.hpp"
+#include "math/units.hpp"
 #include "mesh/volume.hpp"
 #include "pml/read_pml.hpp"
 
@@ -20,7 +21,7 @@ constexpr std::size_t largest_trunk_file = 100'000'000;
 
 class TrunkReader {
  public:
-  /// `root_line`: where the model's own element begins, for messages about its attributes.
+  /// `root_line` is the line of the element physicalModel, for messages about its attributes.
   TrunkReader(const pml::PhysicalModel& model, const std::string& file, std::size_t root_line)
       : model_(model), file_(file), root_line_(root_line) {}
 
@@ -32,26 +33,29 @@ class TrunkReader {
          {std::pair{"abdomen", !mesh().abdomen.empty()}, std::pair{"lung", !mesh().lung.empty()},
           std::pair{"muscle_lines", !mesh().muscle_lines.empty()}})
       if (!found)
-        fail(fmt::format("there is no component '{}', expected a trunk as `trunk export --pml` writes it",
-                         name));
+        fail(fmt::format("there is no component '{}'", name), "a trunk such as `trunk export --pml` writes");
     try {
       const int particles = static_cast<int>(mesh().rest.size());
       Surface("abdomen", mesh().abdomen, particles);
       Surface("lung", mesh().lung, particles);
       require_anatomy(mesh());
     } catch (const InputError& error) {
-      fail(error.what());
+      rethrow_at({file_}, error);
     }
     require_human_size();
     return std::move(result_);
   }
 
  private:
-  [[noreturn]] void fail(const std::string& text) const { throw InputError(file_, 0, text); }
-  [[noreturn]] void fail_at_root(const std::string& text) const { throw InputError(file_, root_line_, text); }
+  [[noreturn]] void fail(std::string found, std::string expected, std::string remedy = "") const {
+    throw InputError({file_}, std::move(found), std::move(expected), std::move(remedy));
+  }
+  [[noreturn]] void fail_at_root(std::string found, std::string expected) const {
+    throw InputError({file_, root_line_}, std::move(found), std::move(expected));
+  }
 
   [[noreturn]] void fail_twice(const std::string& name) const {
-    fail(fmt::format("component '{}' occurs twice, expected one of each name", name));
+    fail(fmt::format("component '{}' occurs twice", name), "one component of each name");
   }
 
   TrunkMesh& mesh() { return result_.mesh; }
@@ -61,41 +65,39 @@ class TrunkReader {
     const char* end = text.data() + text.size();
     const auto [stop, error] = std::from_chars(text.data(), end, value);
     if (error != std::errc{} || stop != end || !std::isfinite(value) || value < low)
-      fail(fmt::format("{} is '{}', expected a number of {:g} or more", what, text, low));
+      fail(fmt::format("{} is '{}'", what, text), fmt::format("a number of {:g} or more", low));
     return value;
   }
 
   double units_per_metre() const {
     const std::string* unit = pml::find(model_.attributes, "unit");
-    if (!unit || *unit == "mm") return 1e3;
+    if (!unit || *unit == "mm") return mm_per_m;
     if (*unit == "m") return 1.0;
-    fail_at_root(fmt::format("the model's unit is '{}', expected mm or m", *unit));
+    fail_at_root(fmt::format("the model's unit is '{}'", *unit), "mm or m");
   }
 
-  /// The same limits as the parametric trunk has: a wrong unit shows here.
+  /// Applies the limits of the parametric trunk, which a trunk in a wrong unit exceeds.
   void require_human_size() {
     constexpr double smallest_ml = 200, largest_ml = 20000;
-    const double volume_ml = enclosed_volume<double>(mesh().lung, mesh().rest) / 1e-6;
+    const double volume_ml = enclosed_volume<double>(mesh().lung, mesh().rest) / m3_per_ml;
     if (!(volume_ml >= smallest_ml && volume_ml <= largest_ml))
-      fail(fmt::format(
-          "the lung encloses {:.4g} ml, expected {} to {} ml: is the model's unit right, and are its "
-          "triangles counter-clockwise seen from outside?",
-          volume_ml, smallest_ml, largest_ml));
+      fail(fmt::format("the lung encloses {:.4g} ml", volume_ml),
+           fmt::format("{} to {} ml", smallest_ml, largest_ml),
+           "check the unit of the model, and that its triangles are counter-clockwise seen from outside");
   }
 
   void read_atoms() {
     const double per_metre = units_per_metre();
     if (const std::string* axes = pml::find(model_.attributes, "axes"); axes && *axes != "RAS")
-      fail_at_root(fmt::format("the model's axes are '{}', expected RAS: right, forward, up", *axes));
+      fail_at_root(fmt::format("the model's axes are '{}'", *axes), "RAS: right, forward, up");
     if (const std::string* fineness = pml::find(model_.attributes, "fineness"))
       mesh().fineness = number(*fineness, "the model's fineness", 1e-3);
     TrunkMesh::Given& given = mesh().given;
     for (const pml::Atom& atom : model_.atoms) {
       if (atom.index != mesh().rest.size())
-        fail(fmt::format(
-            "atom {} follows {} others, expected the atoms of a trunk to be numbered 0, 1, 2 … in order",
-            atom.index, mesh().rest.size()));
-      const Vec3d& p = atom.position;  // divided: nearly always the number that was written
+        fail(fmt::format("atom {} follows {} others", atom.index, mesh().rest.size()),
+             "atoms that are numbered 0, 1, 2 … in order");
+      const Vec3d& p = atom.position;  // division nearly always gives the number that was written
       mesh().rest.push_back({p.x() / per_metre, p.y() / per_metre, p.z() / per_metre});
       for (const auto& [name, field] :
            {std::pair{"mass", &given.mass}, std::pair{"stiffness", &given.stiffness},
@@ -136,7 +138,8 @@ class TrunkReader {
     for (const auto& item : component.items) {
       const auto* cell = std::get_if<pml::Cell>(&item);
       if (!cell || cell->type != "TRIANGLE")
-        fail(fmt::format("component '{}' has something else than TRIANGLE cells", name));
+        fail(fmt::format("component '{}' has items that are not TRIANGLE cells", name),
+             "TRIANGLE cells only");
       const auto at = [&](std::size_t k) { return static_cast<int>(cell->atoms[k]); };
       result.push_back({at(0), at(1), at(2)});
     }
@@ -147,14 +150,14 @@ class TrunkReader {
     for (const auto& item : component.items) {
       const auto* cell = std::get_if<pml::Cell>(&item);
       if (!cell || cell->type != "POLY_LINE")
-        fail("component 'muscle_lines' has something else than POLY_LINE cells");
+        fail("component 'muscle_lines' has items that are not POLY_LINE cells", "POLY_LINE cells only");
       mesh().muscle_lines.emplace_back(cell->atoms.begin(), cell->atoms.end());
     }
     const std::string* strength = pml::find(component.attributes, "strength");
     if (!strength) return;
     mesh().given.fibre_strength = number(*strength, "the strength of muscle_lines", 0.0);
     if (mesh().given.fibre_strength == 0.0)
-      fail("the strength of muscle_lines is 0, expected more (paralysis is the scenario's)");
+      fail("the strength of muscle_lines is 0", "a strength above 0", "describe paralysis in the scenario");
   }
 
   std::vector<int> atoms_of(const pml::StructuralComponent& component, const std::string& name) const {
@@ -163,7 +166,7 @@ class TrunkReader {
     for (const auto& item : component.items)
       if (const auto* atom = std::get_if<pml::AtomReference>(&item)) {
         if (!seen.insert(atom->index).second)
-          fail(fmt::format("component '{}' lists atom {} twice, expected it once", name, atom->index));
+          fail(fmt::format("component '{}' lists atom {} twice", name, atom->index), "every atom once");
         particles.push_back(static_cast<int>(atom->index));
       }
     return particles;
@@ -177,10 +180,8 @@ class TrunkReader {
     const std::string* motion = pml::find(attributes, "rigid");
     if (!motion) return;
     if (*motion != "fixed" && *motion != "free")
-      fail(fmt::format(
-          "component '{}' has rigid=\"{}\", expected fixed or free (a driven one is a [[rigid]] of the "
-          "scenario)",
-          name, *motion));
+      fail(fmt::format("component '{}' has rigid=\"{}\"", name, *motion), "fixed or free",
+           "describe a driven part as [[rigid]] in the scenario");
     RigidPart part;
     part.region = name;
     part.motion = *motion == "free" ? RigidBody::Motion::free : RigidBody::Motion::fixed;

@@ -17,23 +17,10 @@ namespace {
 using Kind = RegionLoad::Kind;
 constexpr std::size_t largest_loads_file = 10'000'000;
 
-std::string text_of(const std::vector<pml::LoadTarget>& targets) {
-  struct Text {
-    std::string operator()(const pml::AtomRange& range) const {
-      return range.first == range.last ? fmt::format("{}", range.first)
-                                       : fmt::format("{}-{}", range.first, range.last);
-    }
-    std::string operator()(const pml::ComponentName& component) const { return component.name; }
-    std::string operator()(const pml::AllAtoms&) const { return "*"; }
-  };
-  std::string text;
-  for (const pml::LoadTarget& target : targets)
-    text += (text.empty() ? "" : ",") + std::visit(Text{}, target);
-  return text;
-}
-
 RegionLoad region_load(const pml::Load& load, const std::string& file) {
-  const auto fail = [&](const std::string& text) { throw InputError(file, load.line, text); };
+  const auto fail = [&](const std::string& found, const std::string& expected) {
+    throw InputError({file, load.line}, found, expected);
+  };
   RegionLoad result;
   result.at = {file, load.line};
   switch (load.type) {
@@ -50,25 +37,23 @@ RegionLoad region_load(const pml::Load& load, const std::string& file) {
       result.kind = Kind::pressure;
       break;
     case pml::Load::Type::rotation:
-      fail(
-          "a Rotation cannot be imposed on particles, expected a [[rigid]] part of the scenario with "
-          "events_deg");
+      fail("a Rotation cannot be imposed on particles", "a [[rigid]] part of the scenario with events_deg");
   }
   const auto* axes = std::get_if<pml::Axes>(&load.direction);
-  if (!axes) fail("a direction toward an atom is not simulated, expected x, y and z");
+  if (!axes) fail("a direction toward an atom is not simulated", "x, y and z");
   const auto factor = [&](std::size_t k) { return (*axes)[k].factor; };
   const auto bound = [&](std::size_t k) { return (*axes)[k].kind == pml::Axis::Kind::free ? 0.0 : 1.0; };
   result.direction = {factor(0), factor(1), factor(2)};
   if (result.kind == Kind::displacement) result.axes = {bound(0), bound(1), bound(2)};
   const bool needs_direction = result.kind == Kind::force || result.kind == Kind::acceleration;
   if (needs_direction && dot(result.direction, result.direction) == 0.0)
-    fail("a direction of zero, expected a number other than 0 for x, y or z");
-  result.region = text_of(load.targets);
+    fail("a direction of zero", "a number other than 0 for x, y or z");
+  result.region = pml::text_of(load.targets);
   result.magnitude = pml::course(load, pml::to_si(load));
   return result;
 }
 
-/// "3" or "0-3"; none where the text is neither.
+/// Returns the range of "3" or "0-3"; nothing if the text is neither.
 std::optional<pml::AtomRange> range_of(std::string_view item) {
   pml::AtomRange range;
   const char* stop = item.data() + item.size();
@@ -108,7 +93,7 @@ pml::Load load_of(const RegionLoad& load) {
   const double direction[] = {load.direction.x(), load.direction.y(), load.direction.z()};
   const double imposed[] = {load.axes.x(), load.axes.y(), load.axes.z()};
   const bool displaces = load.kind == Kind::displacement;
-  const bool undirected = dot(load.direction, load.direction) == 0.0;  // LML wants an axis all the same
+  const bool undirected = dot(load.direction, load.direction) == 0.0;  // LML requires an axis nevertheless
   for (std::size_t k = 0; k < 3; ++k) {
     const bool acts = displaces ? imposed[k] != 0.0 : undirected || direction[k] != 0.0;
     if (!acts) continue;
@@ -132,8 +117,7 @@ std::vector<RegionLoad> read_region_loads(const std::filesystem::path& path) {
   for (const pml::Load& load : pml::read_lml(read_text_file(path, largest_loads_file), file).loads) try {
       result.push_back(region_load(load, file));
     } catch (const InputError& error) {
-      if (error.mistake().at.file == file) throw;
-      throw InputError(file, load.line, error.what());
+      rethrow_at({file, load.line}, error);
     }
   return result;
 }

@@ -8,13 +8,14 @@
 
 namespace trunk {
 
-/// The loads of an LML file. A Translation imposes the axes that have a number or NULL (NULL: at their rest
-/// place) and leaves the absent ones free; an Acceleration acts on each particle's mass; a Pressure pushes
-/// against the outer side of the triangles within its targets, or with a direction along that (our choice).
-/// Throws InputError with file and line; a Rotation and a direction `toward` an atom are refused.
+/// Returns the loads of an LML file. A Translation imposes the axes that have a number or NULL and leaves the
+/// other axes free; NULL holds the particles at rest. An Acceleration acts on the mass of each particle. A
+/// Pressure pushes on the outer side of the triangles within its targets, or along its direction if it has
+/// one (our choice). Throws InputError with file and line, also for a Rotation and for a direction `toward`
+/// an atom.
 std::vector<RegionLoad> read_region_loads(const std::filesystem::path& path);
 
-/// The same loads as an LML text.
+/// Returns the loads as an LML text.
 std::string region_loads_lml(const std::vector<RegionLoad>& loads);
 
 }  // namespace trunk

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "math/units.hpp"
 #include "pml/write_pml.hpp"
 #include "trunks/read_trunk_pml.hpp"
 
@@ -15,7 +16,7 @@ std::string digits(double value) {
 std::vector<pml::Atom> atoms_of(const TrunkMesh& mesh, const TrunkMesh::Given& given) {
   std::vector<pml::Atom> atoms;
   for (std::size_t i = 0; i < mesh.rest.size(); ++i) {
-    atoms.push_back({i, 1e3 * mesh.rest[i], {}});
+    atoms.push_back({i, mm_per_m * mesh.rest[i], {}});
     for (const auto& [name, field] :
          {std::pair{"mass", &given.mass}, std::pair{"stiffness", &given.stiffness},
           std::pair{"damping", &given.damping}})
@@ -38,7 +39,7 @@ pml::StructuralComponent surface_of(const char* name, const std::vector<Triangle
   return component;
 }
 
-/// The neighbours of each particle of the elastic surface, as CamiTK's models carry them.
+/// Returns the neighbours of each particle of the elastic surface, as models of CamiTK list them.
 pml::StructuralComponent neighbourhoods_of(const TrunkMesh& mesh) {
   pml::StructuralComponent component{{{"name", "Node Neighborhoods"}}, {}, {}};
   const Surface abdomen("abdomen", mesh.abdomen, static_cast<int>(mesh.rest.size()));

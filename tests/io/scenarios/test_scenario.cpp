@@ -141,7 +141,7 @@ TEST_CASE("Every shipped scenario loads, builds and is stable", "[unit][io]") {
   CHECK(count >= 7);
 }
 
-TEST_CASE("healthy.toml is read in SI units", "[unit][io]") {
+TEST_CASE("The scenario healthy.toml is converted to SI units", "[unit][io]") {
   const Scenario s = shipped("healthy");
   CHECK(s.geometry.half_width == Approx(0.160));
   CHECK(s.geometry.end_expiratory_volume == Approx(4760e-6));
@@ -152,7 +152,7 @@ TEST_CASE("healthy.toml is read in SI units", "[unit][io]") {
   CHECK(s.tissue.ribs);
 }
 
-TEST_CASE("A scenario that extends another keeps what it does not say", "[unit][io]") {
+TEST_CASE("A scenario that extends another one inherits all values that it does not set", "[unit][io]") {
   const ScenarioFile file = read_scenario(scenario_folder() / "exercise_hemiparalysis_right.toml");
   CHECK(file.inputs.size() == 3);
   CHECK(file.scenario.tissue.paralysed == Side::right);              // its own
@@ -205,7 +205,7 @@ TEST_CASE("A title may hold any character and comes back", "[property][io]") {
   }
 }
 
-TEST_CASE("Settings override the file and are remembered as the origin", "[unit][io]") {
+TEST_CASE("Settings override the file and become the origin of the value", "[unit][io]") {
   const auto path = scenario_folder() / "healthy.toml";
   const ScenarioFile file =
       read_scenario(path, {"parameters.k_muscle_N_per_m=42.5", "tissue.ribs=false", "paralysis.side=left",

@@ -89,14 +89,14 @@ TEST_CASE("A file that cannot be read is named", "[unit][io]") {
              Contains("binary.toml:1"));
 }
 
-TEST_CASE("A missing parent is named by the file that asks for it", "[unit][io]") {
+TEST_CASE("A missing parent is reported at the line that extends it", "[unit][io]") {
   TemporaryFolder folder;
   const std::string message = message_of(folder.write("child.toml", "\nextends = \"nobody.toml\"\n"));
   CHECK_THAT(message, Contains("nobody.toml"));
   CHECK_THAT(message, Contains("child.toml:2"));
 }
 
-TEST_CASE("A scenario that extends itself, or in a circle, is refused", "[unit][io]") {
+TEST_CASE("A scenario that extends itself, directly or through others, is refused", "[unit][io]") {
   TemporaryFolder folder;
   CHECK_THAT(message_of(folder.write("self.toml", "extends = \"self.toml\"\n")),
              Contains("self.toml:1") && Contains("extends"));
@@ -147,7 +147,7 @@ TEST_CASE("Bad settings are refused like bad files", "[unit][io]") {
   }
 }
 
-TEST_CASE("No text makes the reader crash or run on", "[property][io]") {
+TEST_CASE("No text makes the reader crash or hang", "[property][io]") {
   // Pieces of good and bad files in random order: an InputError or a scenario, nothing else.
   const std::vector<std::string> pieces{"[geometry]\n",
                                         "half_width_mm = ",
@@ -207,7 +207,7 @@ TEST_CASE("All mistakes of a scenario and its settings are found in one reading,
   for (std::size_t i = 0; i < texts.size(); ++i) CHECK_THAT(texts[i], Contains(expected[i]));
 }
 
-TEST_CASE("All loads that cannot be are found in one building", "[unit][io]") {
+TEST_CASE("All loads that cannot be applied are reported together", "[unit][io]") {
   const std::string load = "[[force]]\nregion = \"liver\"\ndirection = [0, 0, 1]\nevents_N = [[0, 1]]\n";
   CHECK_THAT(message_about(load + load),
              Contains("bad.toml:1: there is no region or particle 'liver'") && Contains("(and 1 more"));

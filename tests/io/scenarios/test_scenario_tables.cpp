@@ -41,7 +41,8 @@ std::string pml_of_resolution(int resolution, const std::vector<RigidPart>& rigi
 
 }  // namespace
 
-TEST_CASE("[[rigid]] tables: fixed, free, driven by angle and by shift", "[unit][io]") {
+TEST_CASE("Tables [[rigid]] describe parts that are fixed, free, or driven by angle and shift",
+          "[unit][io]") {
   const Scenario s = scenario_of(R"(
 [[rigid]]
 region = "lung_top"
@@ -77,7 +78,7 @@ events_mm = [[1, 0], [2, 5]]
   CHECK(half.imposed.shift(0.5) == 0.0);
 }
 
-TEST_CASE("A part driven by one of angle and shift alone needs nothing of the other", "[unit][io]") {
+TEST_CASE("A part driven by only an angle or only a shift needs no key of the other", "[unit][io]") {
   const Scenario turned = scenario_of(
       "[[rigid]]\nregion = \"lung_top\"\nmotion = \"driven\"\naxis = [0, 0, 1]\n"
       "axis_point_mm = [0, 0, 0]\nevents_deg = [[0, 0], [1, 3]]\n");
@@ -91,7 +92,7 @@ TEST_CASE("A part driven by one of angle and shift alone needs nothing of the ot
   CHECK(norm(imposed_pose(trunk.model.bodies[0], 1.0).centre - Vec3d{0, 0, 3e-3}) < 1e-15);
 }
 
-TEST_CASE("[[acceleration]] and [[pressure]] tables are read in SI units", "[unit][io]") {
+TEST_CASE("Tables [[acceleration]] and [[pressure]] are converted to SI units", "[unit][io]") {
   const Scenario s = scenario_of(R"(
 [[pressure]]
 region = "abdominal_wall"
@@ -117,7 +118,7 @@ events_m_s2 = [[0, 0], [1, 9.81]]
   CHECK(make_trunk(s).model.pressures.size() == 1);
 }
 
-TEST_CASE("The axes of a displacement are those given, else those of its direction", "[unit][io]") {
+TEST_CASE("The axes of a displacement are the given ones, or else those of its direction", "[unit][io]") {
   const auto displacement = [](const std::string& keys) {
     const Scenario s = scenario_of("[[displacement]]\nregion = \"60\"\nevents_mm = [[0, 2]]\n" + keys);
     REQUIRE(s.loads.size() == 1);
@@ -129,7 +130,7 @@ TEST_CASE("The axes of a displacement are those given, else those of its directi
   CHECK(norm(displacement("axes = [1, 1, 1]\ndirection = [0, 0, 0]\n").direction) == 0.0);
 }
 
-TEST_CASE("The resolution of the template is a whole number, 1 to 16", "[unit][io]") {
+TEST_CASE("The resolution of the template is a whole number from 1 to 16", "[unit][io]") {
   CHECK(mesh_of(scenario_of("[geometry]\nresolution = 2\n")).rest.size() == 455);
   CHECK(scenario_of("title = \"a\"\n").geometry.resolution == 1);
   for (const char* bad : {"0", "17", "-1", "1.5", "2.0", "\"2\"", "true", "[2]", "99999999999999"}) {
@@ -146,7 +147,7 @@ TEST_CASE("The resolution of the template is a whole number, 1 to 16", "[unit][i
   CHECK(message_of(healthy, {"geometry.resolution=4", "time.dt_ms=0.2"}) == "no error");
 }
 
-TEST_CASE("geometry.pml is beside the file that names it, or in the working folder with --set",
+TEST_CASE("The file of geometry.pml is beside the file that names it, or in the working folder with --set",
           "[unit][io]") {
   TemporaryFolder folder;
   std::filesystem::create_directory(folder / "sub");
@@ -168,14 +169,14 @@ TEST_CASE("geometry.pml is beside the file that names it, or in the working fold
   CHECK(particles(none) == 113);
   CHECK(none.scenario.mesh == nullptr);
   CHECK_THAT(message_of(parent, {"geometry.pml=none.pml"}),
-             Contains("--set geometry.pml=none.pml: ") && Contains("none.pml: no such file"));
+             Contains("none.pml: no such file") && Contains("(named in --set geometry.pml=none.pml)"));
   CHECK(scenario_of("[geometry]\npml = \"\"\n").mesh == nullptr);
   CHECK_THAT(message_about("[geometry]\npml = 3\n"), Contains("bad.toml:2: ") && Contains("name of a file"));
   CHECK_THAT(message_about("[geometry]\npml = \"bad.toml\"\n"), Contains("bad.toml:2: "));
   CHECK_THAT(message_about("\n[geometry]\npml = \"none.pml\"\n"), Contains("bad.toml:3: "));
 }
 
-TEST_CASE("Another trunk, or none, takes the rigid parts of the one before along", "[regression][io]") {
+TEST_CASE("Replacing or removing a trunk also removes its rigid parts", "[regression][io]") {
   TemporaryFolder folder;
   folder.write("free.pml", pml_of_resolution(1, {{"central_tendon", Motion::free, {}, "", ""}}));
   folder.write("plain.pml", pml_of_resolution(1));
@@ -203,7 +204,7 @@ TEST_CASE("Another trunk, or none, takes the rigid parts of the one before along
   CHECK(kept.scenario.rigid.empty());
 }
 
-TEST_CASE("A rigid part of the scenario goes before the same one of its trunk", "[unit][io]") {
+TEST_CASE("A rigid part of the scenario overrides the same part of its trunk", "[unit][io]") {
   TemporaryFolder folder;
   folder.write("free.pml", pml_of_resolution(1, {{"central_tendon", Motion::free, {}, "", ""},
                                                  {"lung_top", Motion::fixed, {}, "", ""}}));

@@ -93,7 +93,8 @@ TEST_CASE("Each kind of load is read in SI units", "[unit][io]") {
   is("Pressure", "kPa", Kind::pressure, 1e3);
 }
 
-TEST_CASE("Events: 0 before the first, linear between, held after the last", "[unit][io]") {
+TEST_CASE("A load is 0 before its first event, linear between events and constant after the last",
+          "[unit][io]") {
   const auto course =
       one(load("Force", "pelvis", "x='1'", "N",
                "<valueEvent date='1' value='2'/><valueEvent date='2' value='4'/><valueEvent date='4' "
@@ -107,7 +108,8 @@ TEST_CASE("Events: 0 before the first, linear between, held after the last", "[u
   CHECK(course(9.0) == -4.0);
 }
 
-TEST_CASE("Axes of a translation: a number imposes, NULL holds, what is absent stays free", "[unit][io]") {
+TEST_CASE("In a translation, a number imposes an axis, NULL holds it, and an absent axis stays free",
+          "[unit][io]") {
   const RegionLoad read = one(load("Translation", "pelvis", "x='NULL' z='3'", "mm"));
   CHECK(norm(read.axes - Vec3d{1, 0, 1}) == 0.0);
   CHECK(norm(read.direction - Vec3d{0, 0, 3}) == 0.0);
@@ -123,7 +125,7 @@ TEST_CASE("Axes of a translation: a number imposes, NULL holds, what is absent s
   CHECK(norm(position[60] - trunk.model.rest[60] - Vec3d{0, 0.2, 3e-3}) < 1e-15);
 }
 
-TEST_CASE("Targets: indices, ranges, names, all, and lists of them", "[unit][io]") {
+TEST_CASE("Load targets are indexes, ranges, names, all atoms, and lists of these", "[unit][io]") {
   const auto particles_of = [](const std::string& applied_to) {
     std::vector<int> particles;
     for (const FocalForce& f : trunk_with(load("Force", applied_to, "z='1'")).model.focal_forces)
@@ -144,7 +146,7 @@ TEST_CASE("Targets: indices, ranges, names, all, and lists of them", "[unit][io]
   CHECK(particles_of("central_tendon,0-1") == tendon_and_two);
 }
 
-TEST_CASE("A force acts on each particle, an acceleration as its weight would", "[unit][io]") {
+TEST_CASE("A force acts on each particle, and an acceleration acts on its mass", "[unit][io]") {
   const Trunk forced = trunk_with(load("Force", "60-62", "z='2'", "kN"));
   REQUIRE(forced.model.focal_forces.size() == 3);
   for (const FocalForce& f : forced.model.focal_forces)
@@ -160,7 +162,8 @@ TEST_CASE("A force acts on each particle, an acceleration as its weight would", 
   CHECK(largest(difference(force, weight)) < 1e-14);
 }
 
-TEST_CASE("A pressure acts on the triangles within its targets; with a direction, along that", "[unit][io]") {
+TEST_CASE("A pressure acts on the triangles within its targets, or along its direction if it has one",
+          "[unit][io]") {
   const Trunk tendon = trunk_with(load("Pressure", "central_tendon", "x='0' y='0' z='0'", "kPa"));
   REQUIRE(tendon.model.pressures.size() == 1);
   CHECK(tendon.model.focal_forces.empty());
@@ -244,7 +247,7 @@ TEST_CASE("The published compression is read as loads of regions", "[shared][io]
   CHECK_THAT(loads[1].at.text(), Contains("compression-12.lml:17"));
 }
 
-TEST_CASE("What loads cannot do is refused with file and line", "[unit][io]") {
+TEST_CASE("A load that cannot be simulated is refused with file and line", "[unit][io]") {
   const std::string good = load("Force", "pelvis", "z='1'");
   REQUIRE(loads_message(good) == "no error");
   const auto refused = [&](const std::string& bad, const std::vector<std::string>& parts) {
@@ -277,7 +280,7 @@ TEST_CASE("A displacement from LML on a moving part is refused with its line", "
   CHECK_THAT(message, Contains("some.lml:2: ") && Contains("moving rigid part"));
 }
 
-TEST_CASE("A scenario takes its loads from an LML beside it, and together with its own", "[unit][io]") {
+TEST_CASE("A scenario reads its loads from an LML file beside it, in addition to its own", "[unit][io]") {
   TemporaryFolder folder;
   std::filesystem::create_directory(folder / "sub");
   folder.write("sub/some.lml", lml(load("Force", "pelvis", "z='1'") + load("Translation", "61", "z='1'")));
@@ -313,7 +316,8 @@ TEST_CASE("An LML file that cannot be read is named", "[unit][io]") {
     }
     return "no error";
   };
-  CHECK_THAT(message("loads = \"none.lml\"\n"), Contains("none.lml") && Contains("no such file"));
+  CHECK_THAT(message("loads = \"none.lml\"\n"),
+             Contains("none.lml: no such file") && Contains("own.toml:1)"));
   CHECK_THAT(message("\nloads = 3\n"), Contains("own.toml:2: ") && Contains("3") && Contains("LML file"));
   folder.write("bad.lml", "<loads");
   CHECK_THAT(message("loads = \"bad.lml\"\n"), Contains("bad.lml:1: "));

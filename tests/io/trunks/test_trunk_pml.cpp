@@ -126,7 +126,7 @@ TEST_CASE("A trunk written as PML and read again is the same trunk", "[property]
   }
 }
 
-TEST_CASE("A trunk from PML moves as the one it was written from", "[property][io]") {
+TEST_CASE("A trunk from PML moves like the trunk that was written", "[property][io]") {
   Random random(102);
   for (int i = 0; i < 4; ++i) {
     CAPTURE(i);
@@ -143,7 +143,7 @@ TEST_CASE("A trunk from PML moves as the one it was written from", "[property][i
   }
 }
 
-TEST_CASE("Rigid parts travel with the trunk, but for driven ones", "[unit][io]") {
+TEST_CASE("A trunk in PML keeps its rigid parts, except driven ones", "[unit][io]") {
   Scenario s = shipped("healthy");
   s.rigid = {{"rib_cage_right", RigidBody::Motion::fixed, {}, "zone_of_apposition_right", "a"},
              {"central_tendon", RigidBody::Motion::free, {}, "", "b"},
@@ -180,8 +180,7 @@ TEST_CASE("The trunk of a paralysed subject is written healthy; the scenario kee
   CHECK(largest(difference(after_steps(from_pml(s, text), 200), after_steps(s, 200))) <= 1e-14);
 }
 
-TEST_CASE("What a file says of single atoms counts more than the tissue; what it does not say does not",
-          "[unit][io]") {
+TEST_CASE("Values of single atoms override the tissue, and missing values do not", "[unit][io]") {
   const TrunkMesh mesh = make_template_mesh({});
   Tissue tissue;
   tissue.particle_mass = 0.3;
@@ -234,7 +233,7 @@ TEST_CASE("A trunk in metres is read as one in millimetres", "[unit][io]") {
   check_same_mesh(trunk_of_pml(text, "t.pml").mesh, mesh);
 }
 
-TEST_CASE("A PML that is no trunk: the message names the file, what was found and what was expected",
+TEST_CASE("A PML that is not a trunk gives an error with the file, what was found and what was expected",
           "[unit][io]") {
   const std::string good = template_text();
   REQUIRE(trunk_message(good) == "no error");
@@ -299,7 +298,8 @@ TEST_CASE("A PML that is no trunk: the message names the file, what was found an
   }
 }
 
-TEST_CASE("A trunk given to a scenario: file and scenario both speak in the message", "[unit][io]") {
+TEST_CASE("An error in the trunk of a scenario names both the PML file and the line of the scenario",
+          "[unit][io]") {
   TemporaryFolder folder;
   folder.write("t.pml", without(template_text(), "lung"));
   const auto scenario = folder.write("s.toml", "[geometry]\n\npml = \"t.pml\"\n");
@@ -307,11 +307,13 @@ TEST_CASE("A trunk given to a scenario: file and scenario both speak in the mess
     read_scenario(scenario);
     FAIL("no error");
   } catch (const InputError& error) {
-    CHECK_THAT(error.what(), Contains("s.toml:3: ") && Contains("t.pml: there is no component 'lung'"));
+    CHECK(error.mistake().at == Place{(folder / "t.pml").string()});
+    CHECK(error.mistake().named_in == Place{scenario.string(), 3});
+    CHECK_THAT(error.what(), Contains("t.pml: there is no component 'lung'") && EndsWith("s.toml:3)"));
   }
 }
 
-TEST_CASE("Truncated or damaged trunks are read or refused, and what is read can be built or is refused",
+TEST_CASE("Truncated or damaged trunks are refused when they are read or built, or they are usable",
           "[property][io]") {
   Random random(103);
   const std::string good = template_text();
