@@ -1,5 +1,6 @@
 #include "results/hdf5_version.hpp"
 
+#include <fmt/format.h>
 #include <hdf5.h>
 
 namespace trunk {
@@ -7,7 +8,7 @@ namespace trunk {
 std::string hdf5_version() {
   unsigned major = 0, minor = 0, patch = 0;
   H5get_libversion(&major, &minor, &patch);
-  return std::to_string(major) + "." + std::to_string(minor) + "." + std::to_string(patch);
+  return fmt::format("{}.{}.{}", major, minor, patch);
 }
 
 }  // namespace trunk

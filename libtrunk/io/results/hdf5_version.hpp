@@ -4,7 +4,7 @@
 
 namespace trunk {
 
-/// Version of the HDF5 library in use, as in "1.10.8".
+/// Returns the version of the HDF5 library in use, such as "1.10.8".
 std::string hdf5_version();
 
 }  // namespace trunk

@@ -8,11 +8,12 @@
 #include <utility>
 #include <vector>
 
-/// What goes into a results file, as plain data that knows neither the simulator nor HDF5.
+/// The content of results files as plain data, independent of the simulator and of HDF5.
 ///
-/// Names become names in the file: not empty, no '/', unique in their group. `unit` is a UDUNITS
-/// spelling ("N m-1", "ml", "cmH2O"; "" and "1" both mean a pure number) and is written as given,
-/// so give volumes in ml. Members whose own name ends in `_m3` are converted: files hold volumes in ml.
+/// Names become names in the file, so they are not empty, have no '/', and are unique in their group. `unit`
+/// has the spelling of UDUNITS ("N m-1", "ml", "cmH2O"; "" and "1" both mean a pure number) and is written
+/// unchanged. Files hold volumes in ml: members whose own name ends in `_m3` are converted, all other volumes
+/// must be in ml.
 namespace trunk {
 
 struct NamedValue {
@@ -30,7 +31,7 @@ struct NamedColumn {
   std::vector<double> values;
 };
 
-/// Where a file comes from. Creation time, host and `argv` are left out under SOURCE_DATE_EPOCH.
+/// The origin of a file. Creation time, host and `argv` are left out under SOURCE_DATE_EPOCH.
 struct Provenance {
   std::string version, git_sha;
   bool git_dirty = false;
@@ -40,9 +41,9 @@ struct Provenance {
   std::vector<std::pair<std::string, std::string>> libraries;     ///< name, version
 };
 
-/// T frames of N particles, and how these are connected.
+/// T frames of N particles, and the connections between the particles.
 struct Trajectory {
-  std::size_t particles = 0;                            ///< N; 0 leaves the trajectory out of the file
+  std::size_t particles = 0;                            ///< N; 0: the file has no trajectory
   std::vector<double> time_s;                           ///< [T]
   std::vector<std::int64_t> step;                       ///< [T]
   std::vector<double> position_m;                       ///< [T*N*3]
@@ -52,23 +53,23 @@ struct Trajectory {
   std::vector<std::int32_t> region;                     ///< [N] or empty; index in region_names
   std::vector<std::string> region_names;                //
   std::vector<std::int32_t> rigid;                      ///< [N] or empty; index in rigid_names
-  std::vector<std::string> rigid_names;                 ///< the first: carried by no rigid component
+  std::vector<std::string> rigid_names;                 ///< the first means: no rigid component
   std::vector<std::array<std::int32_t, 3>> triangles;   ///< [M]
   std::vector<std::int32_t> triangle_component;         ///< [M] or empty; index in component_names
   std::vector<std::string> component_names;             //
   std::vector<std::array<std::int32_t, 2>> fibres;      ///< [F]
-  std::vector<std::vector<std::int32_t>> muscle_lines;  ///< [L], each as long; or empty
-  std::vector<double> fibre_activity;                   ///< [F] or empty; share of k_muscle, 0 paralysed
+  std::vector<std::vector<std::int32_t>> muscle_lines;  ///< [L], all of one length; or empty
+  std::vector<double> fibre_activity;                   ///< [F] or empty; fraction of k_muscle, 0: paralysed
   std::vector<std::int32_t> contact;                    ///< [T*N] or empty; index in contact_names
   std::vector<std::string> contact_names;               //
 };
 
-/// One simulation. `measures` is the Table 1 row. `frame_series` go with the trajectory, `curves` stand
-/// alone.
+/// One simulation. `measures` are the row of Table 1. `frame_series` have the times of the trajectory, and
+/// `curves` have their own times.
 struct RunRecord {
   std::string title, status, message;
-  std::string scenario_toml;           ///< verbatim
-  std::string trunk_pml;               ///< the trunk where it came from a file; "" for the parametric one
+  std::string scenario_toml;           ///< the unchanged text
+  std::string trunk_pml;               ///< the trunk if it comes from a file; "" for the parametric one
   std::vector<NamedValue> parameters;  ///< resolved, in natural units
   std::vector<NamedValue> measures;    //
   Trajectory trajectory;               //
@@ -78,51 +79,52 @@ struct RunRecord {
   Provenance provenance;
 };
 
-/// One fit. P parameters, of which F were free; E evaluations of the objective.
+/// One fit with P parameters, of which F are free, and E evaluations of the objective.
 struct FitRecord {
   struct Parameter {
     std::string name, unit;
     double initial = 0, lower = 0, upper = 0, best = 0, stderr_ = 0, lower95 = 0, upper95 = 0;
     bool at_bound = false, free = true;
-    bool beside = false;  // estimated along with the free ones without being asked for
-    double naive_lower95 = 0, naive_upper95 = 0;  // as if all samples were independent
+    bool beside = false;  // estimated together with the free parameters, though the user did not free it
+    double naive_lower95 = 0, naive_upper95 = 0;  // under the assumption that all samples are independent
   };
-  /// A local search of a multistart.
+  /// One local search of a multistart.
   struct Start {
     std::vector<double> from, to;  ///< [F], natural units
     double objective = 0;
     bool converged = false;
   };
-  /// The fit as one parameter is moved and the others follow.
+  /// The deviance along one parameter, with the best values of all others.
   struct Profile {
     std::string name, unit;
     std::vector<double> value, deviance;  ///< [K]
-    std::vector<std::int32_t> at_bound;   ///< [K] another parameter sat on its bound
-    double lower95 = 0, upper95 = 0;      ///< infinite where the profile does not close
+    std::vector<std::int32_t> at_bound;   ///< [K] another parameter is at its bound
+    double lower95 = 0, upper95 = 0;      ///< infinite if the profile interval is open
   };
-  /// The likelihood over a grid of two parameters; no points: none.
+  /// The likelihood over a grid of two parameters; without points if it was not computed.
   struct Surface {
     std::string name[2], unit[2];
     std::vector<double> axis[2];   ///< [n]
-    std::vector<double> deviance;  ///< [n*n], the second axis fastest
+    std::vector<double> deviance;  ///< [n*n], row-major: the second axis varies fastest
     double threshold95 = 0;
-    double lower95[2] = {0, 0}, upper95[2] = {0, 0};  ///< what the joint 95 % region spans
+    double lower95[2] = {0, 0}, upper95[2] = {0, 0};  ///< the extent of the joint 95 % region
     bool closed = false;                              ///< the region does not reach the edge of the grid
   };
-  /// Whether a second method of search found the same.
+  /// Whether a second search method finds the same result.
   struct CrossCheck {
-    std::string first, second;  ///< methods; empty: there was no second one
+    std::string first, second;  ///< the methods; empty if there is no second one
     bool agree = false;
   };
-  /// What the fit makes of another scenario.
+  /// The prediction of the fit for another scenario.
   struct Prediction {
-    std::string name, scenario;                      ///< short; the file
-    std::vector<NamedValue> numbers;                 ///< volumes and their ratio, with intervals
-    std::vector<double> delta_v_m3, own_delta_v_m3;  ///< [D] draws of the parameters; NaN where one failed
+    std::string name, scenario;       ///< a short name; the file
+    std::vector<NamedValue> numbers;  ///< volumes and their ratio, with intervals
+    std::vector<double> delta_v_m3,
+        own_delta_v_m3;  ///< [D] draws of the parameters; NaN if a simulation fails
   };
 
   std::string title, status, message;
-  std::string scenario_toml;  ///< verbatim
+  std::string scenario_toml;  ///< the unchanged text
   std::string verdict, stop_reason, algorithm;
   std::vector<Parameter> parameters;          ///< [P]
   std::vector<std::string> covariance_names;  ///< [F]
@@ -131,40 +133,40 @@ struct FitRecord {
   std::vector<double> measured_time_s, measured_m3;  ///< [Tm]
   std::vector<double> sigma_m3;                      ///< [Tm] or empty; standard deviation of measured_m3
 
-  std::vector<std::string> evaluation_names;    ///< [F], what the columns of evaluation_x are
+  std::vector<std::string> evaluation_names;    ///< [F], the parameters of the columns of evaluation_x
   std::vector<double> evaluation_x;             ///< [E*F], row-major, in the natural unit of each parameter
-  std::vector<double> evaluation_objective;     ///< [E], NaN where the simulation failed
+  std::vector<double> evaluation_objective;     ///< [E], NaN if the simulation fails
   std::vector<std::int32_t> evaluation_status;  ///< [E], 0 = simulated
   std::vector<double> evaluation_wall_s;        ///< [E]; left out under SOURCE_DATE_EPOCH
 
   std::vector<double> result_time_s, dV_fit_m3, residual_m3;  ///< [Tr]; residual = model - measured
-  std::vector<NamedValue> statistics;                         ///< nrmse and the like
+  std::vector<NamedValue> statistics;                         ///< nrmse and others
   std::vector<Start> starts;                                  //
   std::vector<Profile> profiles;                              //
   Surface surface;                                            //
-  std::vector<NamedColumn> breaths;                           ///< a fit a breath: columns [B]; or empty
+  std::vector<NamedColumn> breaths;                           ///< one fit per breath: columns [B]; or empty
   std::vector<std::string> breath_status;                     ///< [B]
   std::vector<Prediction> predictions;                        //
-  RunRecord best_run;                                         ///< its provenance is the fit's
+  RunRecord best_run;                                         ///< its provenance is that of the fit
   Provenance provenance;
   std::vector<double> dV_baseline_m3;                        ///< [Tr] of a one-compartment model; or empty
-  std::vector<double> bootstrap_lower95, bootstrap_upper95;  ///< [P], NaN where not asked for; or empty
-  std::vector<std::string> notes;                            ///< what was left out, and why
+  std::vector<double> bootstrap_lower95, bootstrap_upper95;  ///< [P], NaN if it is not requested; or empty
+  std::vector<std::string> notes;                            ///< what is left out, and why
   CrossCheck cross_check;                                    //
   bool identifiable = false;                                 //
 };
 
-/// R runs in one table. A run that failed keeps its row, with NaN where there is no number.
+/// R runs in one table. A run that fails has a row too, with NaN for missing numbers.
 struct SweepRecord {
   std::string title, sweep_toml;
   std::vector<NamedColumn> columns;   ///< parameters and measures, each [R]
   std::vector<std::string> scenario;  ///< [R]
   std::vector<std::string> subject;   ///< [R] or empty
   std::vector<std::string> status;    ///< [R]
-  std::vector<std::string> error;     ///< [R], "" when there was none
-  std::vector<std::string> run_file;  ///< [R], relative to the folder of the sweep file; "" when absent
+  std::vector<std::string> error;     ///< [R], "" if there is none
+  std::vector<std::string> run_file;  ///< [R], relative to the folder of the sweep file; "" if there is none
   std::vector<double> curve_time_s;   ///< [Tc]
-  /// Fills in dV, ml, [n*Tc], of n runs from the first on: all of them may not fit in memory.
+  /// Fills in dV of n runs, beginning with `first`, in ml [n*Tc]. All runs together may not fit into memory.
   std::function<void(std::size_t first, std::span<double> dV_ml)> fill_curves_ml;
   Provenance provenance;
 };

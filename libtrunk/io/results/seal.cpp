@@ -17,7 +17,7 @@ namespace {
 constexpr std::string_view begin = "sha256 ";
 constexpr std::size_t seal_size = begin.size() + 64 + 1;
 
-/// `size` bytes at `offset`; fewer where the file ends.
+/// Returns `size` bytes at `offset`; fewer if the file ends before.
 std::string bytes_at(const std::filesystem::path& path, std::uintmax_t offset, std::size_t size) {
   std::string bytes(size, '\0');
   std::ifstream file(path, std::ios::binary);
@@ -27,12 +27,13 @@ std::string bytes_at(const std::filesystem::path& path, std::uintmax_t offset, s
   return bytes;
 }
 
-/// The beginning of HDF5 as we write it: signature, version of the superblock, … address where HDF5 ends.
+/// The first bytes of HDF5 as we write it: signature, version of the superblock, … address of the end of
+/// HDF5.
 struct Superblock {
   static constexpr std::size_t size = 48, version_at = 8, end_at = 28;
   std::string bytes;
 
-  /// Older ones carry no checksums, and HDF5 1.10 crashes on damaged ones (measured: 3 of 1500).
+  /// Older versions have no checksums, and HDF5 1.10 crashes on damaged ones (measured: 3 of 1500).
   bool is_ours() const { return bytes[version_at] == 2 || bytes[version_at] == 3; }
   std::uint64_t end_of_hdf5() const {
     std::uint64_t end = 0;
@@ -50,24 +51,25 @@ std::string seal_of(std::span<const std::byte> hdf5) {
 
 void require_intact(const std::filesystem::path& path) {
   const std::uintmax_t size = std::filesystem::file_size(path);
-  const auto refuse = [&](const std::string& text) { throw InputError(path.string(), 0, text); };
-  const std::string damaged =
-      "is damaged: its bytes are not those that were written; take another copy or make it again";
+  const auto refuse = [&](const std::string& found, const std::string& expected, const std::string& remedy) {
+    throw InputError({path.string()}, found, expected, remedy);
+  };
+  const std::string repeat = "use another copy or make the file again";
+  const std::string damaged = "is damaged: its bytes have changed since it was written";
   const std::string seal = size < seal_size ? "" : bytes_at(path, size - seal_size, seal_size);
   if (seal.starts_with(begin)) {
     if (sha256_of_file(path, size - seal_size) != seal.substr(begin.size(), 64) || seal.back() != '\n')
-      refuse(damaged);
+      refuse(damaged, "", repeat);
     return;
   }
   const Superblock head{bytes_at(path, 0, Superblock::size)};
   if (head.bytes.size() < Superblock::size)
-    refuse(fmt::format("is truncated: {} bytes are no HDF5 file", size));
-  if (!head.is_ours()) refuse("is an HDF5 file of another program, expected a results file of trunk");
+    refuse(fmt::format("is truncated: it has only {} bytes", size), "", repeat);
+  if (!head.is_ours()) refuse("is an HDF5 file of another program", "a results file of trunk", "");
   const std::uint64_t end = head.end_of_hdf5();
   if (size == end) return;
-  if (size >= end + seal_size) refuse(damaged);
-  refuse(fmt::format("is truncated: {} of {} bytes are there; take another copy or make it again", size,
-                     end + seal_size));
+  if (size >= end + seal_size) refuse(damaged, "", repeat);
+  refuse(fmt::format("is truncated: it has {} of {} bytes", size, end + seal_size), "", repeat);
 }
 
 }  // namespace trunk

@@ -37,7 +37,7 @@ struct Environment {
 
 }  // namespace
 
-TEST_CASE("a run reads back as it was written", "[results]") {
+TEST_CASE("A run is read back as it was written", "[results]") {
   const TemporaryFolder folder;
   const fs::path path = folder / "run.h5";
   const RunRecord run = sample_run();
@@ -64,7 +64,7 @@ TEST_CASE("a run reads back as it was written", "[results]") {
   CHECK(parameters[1].value == 4000);
 }
 
-TEST_CASE("a fit gives its best parameters; its description shows their uncertainty", "[results]") {
+TEST_CASE("A fit gives its best parameters, and its inspection shows their uncertainty", "[results]") {
   const TemporaryFolder folder;
   const fs::path path = folder / "fit.h5";
   write_fit(path, sample_fit());
@@ -77,10 +77,10 @@ TEST_CASE("a fit gives its best parameters; its description shows their uncertai
   CHECK_THAT(text, Contains("0.4 %") && Contains("AT ITS BOUND") && Contains("fixed") && Contains("± 20"));
   CHECK_THAT(text, Contains("best_run/particles/trajectory/position/value") && Contains("[70, 3, 3]"));
   CHECK_THAT(inspection_json(path), Contains("\"stderr\": 20.0") && Contains("\"kind\": \"fit\""));
-  CHECK_THAT(error_of<InputError>([&] { read_stored_run(path); }), Contains("is a fit, expected a run"));
+  CHECK_THAT(error_of<InputError>([&] { read_stored_run(path); }), Contains("is a fit; expected a run"));
 }
 
-TEST_CASE("a sweep counts its runs and outlives its run files", "[results]") {
+TEST_CASE("A sweep counts its runs and stays readable without its run files", "[results]") {
   const TemporaryFolder folder;
   const fs::path path = folder / "sweep.h5";
   write_sweep(path, sample_sweep());  // run.h5 is not there
@@ -88,7 +88,7 @@ TEST_CASE("a sweep counts its runs and outlives its run files", "[results]") {
   CHECK_THAT(error_of<InputError>([&] { read_parameters(path); }), Contains("is a sweep"));
 }
 
-TEST_CASE("records are read as they were written: written again they are the same bytes", "[results]") {
+TEST_CASE("Records that are read and written again give the same bytes", "[results]") {
   const TemporaryFolder folder;
   const Environment epoch("1700000000");
   write_run(folder / "a.h5", sample_run());
@@ -101,12 +101,12 @@ TEST_CASE("records are read as they were written: written again they are the sam
   write_run(folder / "a.h5", RunRecord());
   write_run(folder / "b.h5", read_run(folder / "a.h5"));
   CHECK(bytes_of(folder / "a.h5") == bytes_of(folder / "b.h5"));
-  CHECK_THAT(error_of<InputError>([&] { read_fit(folder / "a.h5"); }), Contains("is a run, expected a fit"));
+  CHECK_THAT(error_of<InputError>([&] { read_fit(folder / "a.h5"); }), Contains("is a run; expected a fit"));
   write_sweep(folder / "a.h5", sample_sweep());
   CHECK_THAT(error_of<InputError>([&] { read_run(folder / "a.h5"); }), Contains("is a sweep"));
 }
 
-TEST_CASE("a wrong record is not read as a right one", "[results]") {
+TEST_CASE("A wrong record is refused", "[results]") {
   const TemporaryFolder folder;
   const fs::path path = folder / "x.h5";
   RunRecord run = sample_run();
@@ -124,7 +124,7 @@ TEST_CASE("a wrong record is not read as a right one", "[results]") {
   }
 }
 
-TEST_CASE("what is optional may be absent, tables may be empty, texts long", "[results]") {
+TEST_CASE("Optional parts may be missing, tables may be empty and texts may be long", "[results]") {
   const TemporaryFolder folder;
   write_run(folder / "run.h5", RunRecord());
   CHECK_FALSE(inspection_text(folder / "run.h5").empty());
@@ -145,7 +145,7 @@ TEST_CASE("what is optional may be absent, tables may be empty, texts long", "[r
   CHECK_FALSE(inspection_text(folder / "long.h5").empty());
 }
 
-TEST_CASE("equal runs are equal files under SOURCE_DATE_EPOCH", "[results]") {
+TEST_CASE("Equal runs give equal files under SOURCE_DATE_EPOCH", "[results]") {
   const TemporaryFolder folder;
   const auto write_both = [&](const std::string& name, const std::string& argv) {
     RunRecord run = sample_run();
@@ -174,7 +174,7 @@ TEST_CASE("equal runs are equal files under SOURCE_DATE_EPOCH", "[results]") {
              Contains("SOURCE_DATE_EPOCH is 'soon'"));
 }
 
-TEST_CASE("a failed write leaves the old file and nothing else", "[results]") {
+TEST_CASE("A failed write leaves only the old file", "[results]") {
   const TemporaryFolder folder;
   const fs::path path = folder / "run.h5";
   write_run(path, sample_run());
@@ -196,7 +196,7 @@ TEST_CASE("a failed write leaves the old file and nothing else", "[results]") {
     run.parameters.front().name = "a/b";
     CHECK_THAT(error_of<std::runtime_error>([&] { write_run(path, run); }), Contains("'a/b'"));
   }
-  SECTION("no room: a limit on the size of files stands in for a full disk") {
+  SECTION("a limit on the size of files, instead of a full disk") {
     const pid_t child = fork();
     REQUIRE(child >= 0);
     if (child == 0) {
@@ -249,7 +249,7 @@ TEST_CASE("An output path is tested before any work", "[results]") {
   }
 }
 
-TEST_CASE("many threads may write at once", "[results]") {
+TEST_CASE("Many threads may write at the same time", "[results]") {
   const TemporaryFolder folder;
   std::vector<std::thread> threads;
   for (int i = 0; i < 4; ++i) {
@@ -260,7 +260,7 @@ TEST_CASE("many threads may write at once", "[results]") {
   for (int i = 0; i < 4; ++i) CHECK_FALSE(inspection_text(folder / (std::to_string(i) + ".h5")).empty());
 }
 
-TEST_CASE("sha256 agrees with the published vectors", "[results]") {
+TEST_CASE("SHA-256 agrees with the published vectors", "[results]") {
   CHECK(sha256_of_text("abc") == "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
   const TemporaryFolder folder;
   put(folder / "abc", "abc");

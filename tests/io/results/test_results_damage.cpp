@@ -28,7 +28,7 @@ std::string refusal_of(const fs::path& path) {
 
 }  // namespace
 
-TEST_CASE("what is not a finished results file is refused by name", "[results]") {
+TEST_CASE("A file that is not a finished results file is refused with the reason", "[results]") {
   const TemporaryFolder folder;
   const fs::path path = folder / "x.h5", good = folder / "good.h5";
   write_run(good, sample_run());
@@ -55,7 +55,7 @@ TEST_CASE("what is not a finished results file is refused by name", "[results]")
   CHECK_THAT(error_of<InputError>([&] { inspection_text(folder / ""); }), Contains("is a folder"));
 }
 
-TEST_CASE("without its seal a flipped bit is an error or does not matter; it never is another number",
+TEST_CASE("Without its seal, a flipped bit gives an error or no change, but never another number",
           "[results]") {
   const TemporaryFolder folder;
   const fs::path path = folder / "run.h5";
@@ -87,7 +87,7 @@ TEST_CASE("without its seal a flipped bit is an error or does not matter; it nev
   CHECK(seen > flips / 3);
 }
 
-TEST_CASE("any one flipped bit is found before anything is read", "[results]") {
+TEST_CASE("Any flipped bit is found before anything is read", "[results]") {
   const TemporaryFolder folder;
   const fs::path path = folder / "run.h5";
   write_run(path, sample_run());
@@ -103,12 +103,12 @@ TEST_CASE("any one flipped bit is found before anything is read", "[results]") {
     damaged[place] = static_cast<char>(damaged[place] ^ (1 << (place % 8)));
     put(path, damaged);
     INFO("byte " << place << " of " << bytes.size());
-    CHECK_THAT(refusal_of(path), Contains("is damaged: its bytes are not those that were written") ||
+    CHECK_THAT(refusal_of(path), Contains("is damaged: its bytes have changed since it was written") ||
                                      Contains("damaged in its first bytes"));
   }
 }
 
-TEST_CASE("a file that another program changed is read without its seal, not with bytes behind",
+TEST_CASE("A file that another program changed is read without its seal, but not with bytes after its end",
           "[results]") {
   const TemporaryFolder folder;
   const fs::path path = folder / "run.h5";
@@ -125,7 +125,7 @@ TEST_CASE("a file that another program changed is read without its seal, not wit
   CHECK_THAT(refusal_of(path), Contains("is damaged"));
 }
 
-TEST_CASE("what is not HDF5 is called by its name", "[results]") {
+TEST_CASE("A file that is not HDF5 is described by its content", "[results]") {
   const TemporaryFolder folder;
   const auto said_of = [&](const std::string& name, const std::string& bytes) {
     put(folder / name, bytes);

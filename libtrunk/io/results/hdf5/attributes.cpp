@@ -73,10 +73,10 @@ void write_attribute(hid_t object, const std::string& name, std::uint64_t value)
                       Space(H5Screate(H5S_SCALAR), "write " + name), &value);
 }
 
-void refer_to(hid_t object, const std::string& name, hid_t group, const std::string& target) {
+void refer_to(hid_t object, const std::string& name, hid_t group, const std::string& object_path) {
   hobj_ref_t reference{};
-  require(H5Rcreate(&reference, group, target.c_str(), H5R_OBJECT, -1), "refer to " + target);
-  // An array of one: h5netcdf 1.1 stumbles over a single reference.
+  require(H5Rcreate(&reference, group, object_path.c_str(), H5R_OBJECT, -1), "refer to " + object_path);
+  // This is an array of one reference, because h5netcdf 1.1 fails on a scalar one.
   const hsize_t size = 1;
   write_raw_attribute(object, name, H5T_STD_REF_OBJ, H5T_STD_REF_OBJ,
                       Space(H5Screate_simple(1, &size, nullptr), "write " + name), &reference);
@@ -88,7 +88,7 @@ void write_flags(hid_t dataset, const std::vector<std::string>& meanings) {
   if (codes.empty()) return;
   std::string words;
   for (std::string meaning : meanings) {
-    std::replace(meaning.begin(), meaning.end(), ' ', '_');  // CF separates meanings by blanks
+    std::replace(meaning.begin(), meaning.end(), ' ', '_');  // CF separates meanings by spaces
     words += (words.empty() ? "" : " ") + meaning;
   }
   write_attribute(dataset, "flag_values", codes);

@@ -7,7 +7,7 @@ namespace {
 
 std::mutex one_thread;
 
-/// Called from the innermost function outwards: the first call knows the cause.
+/// HDF5 calls this from the innermost function outwards. The first call gets the cause.
 herr_t keep_innermost(unsigned depth, const H5E_error2_t* error, void* cause) {
   if (depth == 0 && error->desc) *static_cast<std::string*>(cause) = error->desc;
   return 0;
@@ -27,7 +27,7 @@ void raise(const std::string& doing) {
 
 Session::Session() {
   one_thread.lock();
-  // Printing is a property of the thread's own error stack, so it is set in each session.
+  // Each thread has its own error stack, so printing is switched off in each session.
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }
 

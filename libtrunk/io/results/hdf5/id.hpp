@@ -9,23 +9,23 @@
 /// Private to the results layer: the only header that includes hdf5.h.
 namespace trunk::hdf5 {
 
-/// An HDF5 call failed; the text is one line, what was being done and the innermost cause.
+/// An HDF5 call failed. The text is one line with the action that failed and the innermost cause.
 class Error : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// Takes the library's error stack apart and throws it as one Error.
+/// Throws the innermost cause on the error stack of the library as an Error.
 [[noreturn]] void raise(const std::string& doing);
 
-/// Passes on what an HDF5 call returned, unless it is negative: then it throws.
+/// Returns the result of an HDF5 call; throws Error if it is negative.
 template <typename Result>
 Result require(Result result, const std::string& doing) {
   if (result < 0) raise(doing);
   return result;
 }
 
-/// Owns one HDF5 identifier; move-only.
+/// Owns one HDF5 identifier. It can be moved, but not copied.
 template <auto Close>
 class Id {
  public:
@@ -41,7 +41,7 @@ class Id {
 
   operator hid_t() const noexcept { return value_; }
 
-  /// Gives up ownership, for the caller who wants to see whether closing works.
+  /// Gives up the ownership, so that the caller can check whether closing works.
   hid_t release() noexcept { return std::exchange(value_, H5I_INVALID_HID); }
 
  private:
@@ -57,8 +57,8 @@ using Type = Id<&H5Tclose>;
 using Attribute = Id<&H5Aclose>;
 using Properties = Id<&H5Pclose>;
 
-/// Held by every public function of the layer while it uses HDF5: one thread at a time, whatever
-/// the library was built with, and nothing printed by it.
+/// Every public function of the layer holds a Session while it uses HDF5. Only one thread at a time uses
+/// HDF5, even if the library is not thread-safe, and the library prints nothing.
 class Session {
  public:
   Session();

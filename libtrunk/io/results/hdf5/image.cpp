@@ -9,9 +9,9 @@ namespace {
 
 constexpr std::size_t growth = std::size_t{4} << 20;  // bytes added to the image at a time
 
-/// The memory behind a file of HDF5's core driver. The driver hands it over when the file is closed:
-/// H5Fget_file_image would be simpler, but in 1.10 it clears the "open for writing" flag without
-/// renewing the checksum of the superblock, and its images cannot be opened.
+/// The memory of a file of HDF5's core driver. We keep it when the driver closes the file. H5Fget_file_image
+/// would be simpler, but in HDF5 1.10 it clears the "open for writing" flag without updating the checksum of
+/// the superblock, and such images cannot be opened.
 struct Buffer {
   std::byte* data = nullptr;
   std::size_t size = 0;
@@ -22,16 +22,17 @@ void* enlarge(void* data, std::size_t size, H5FD_file_image_op_t, void* user) {
   auto& buffer = *static_cast<Buffer*>(user);
   auto* moved = static_cast<std::byte*>(std::realloc(data, size));
   if (!moved) return nullptr;
-  // No stray memory in the gaps of a file: equal runs are equal byte by byte.
+  // Gaps in the file are zero, so that equal runs give equal bytes.
   if (size > buffer.size) std::memset(moved + buffer.size, 0, size - buffer.size);
   buffer.data = moved;
   buffer.size = size;
   return moved;
 }
 
+/// Frees nothing: Buffer or Image frees the memory.
 herr_t keep(void*, H5FD_file_image_op_t, void*) {
   return 0;
-}  // Buffer frees it, or Image
+}
 void* same(void* user) {
   return user;
 }
@@ -42,9 +43,9 @@ herr_t leave(void*) {
 Properties access_in_memory(Buffer& buffer) {
   Properties access(H5Pcreate(H5P_FILE_ACCESS), "prepare a file");
   require(H5Pset_fapl_core(access, growth, false), "prepare a file in memory");
-  // The formats of 1.10 carry checksums on all metadata; older ones do not.
+  // The formats of 1.10 have checksums on all metadata; older ones do not.
   require(H5Pset_libver_bounds(access, H5F_LIBVER_V110, H5F_LIBVER_V110), "choose the file format");
-  // Closing fails when something is still open, instead of delaying in silence.
+  // Closing fails if something is still open, instead of silently waiting for it.
   require(H5Pset_fclose_degree(access, H5F_CLOSE_SEMI), "prepare a file");
   H5FD_file_image_callbacks_t callbacks{};
   callbacks.image_realloc = enlarge;
@@ -56,7 +57,8 @@ Properties access_in_memory(Buffer& buffer) {
   return access;
 }
 
-/// The buffer grows in steps; where the file ends within it is in the superblock (version 2 and 3).
+/// Returns the end of the file, which is in the superblock (version 2 and 3). The buffer is larger, since it
+/// grows in steps.
 std::size_t end_of_file(const Buffer& buffer) {
   constexpr std::size_t end_of_file_address = 28;
   std::uint64_t end = 0;

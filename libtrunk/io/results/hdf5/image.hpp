@@ -12,9 +12,9 @@ namespace trunk::hdf5 {
 
 /// The bytes of a whole HDF5 file, in memory.
 ///
-/// Files are built here and stored with plain system calls afterwards. On a full disk HDF5 1.10
-/// fails late (at flush or close), without errno, and keeps the dead file open until exit; write()
-/// fails at once and says why.
+/// Files are built in memory and then stored with plain system calls. On a full disk, write() fails at once
+/// and gives the cause. HDF5 1.10 fails late (at flush or close), without errno, and keeps the file open
+/// until the program ends.
 class Image {
  public:
   Image(std::byte* data, std::size_t size) : data_(data), size_(size) {}
@@ -28,7 +28,7 @@ class Image {
   std::size_t size_;
 };
 
-/// Builds a file: `fill` receives its root group. Throws Error, also when `fill` leaves something open.
+/// Builds a file whose root group `fill` fills. Throws Error, also if `fill` leaves something open.
 Image build_image(const std::function<void(hid_t root)>& fill);
 
 }  // namespace trunk::hdf5

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <set>
 
 #include "files/sha256.hpp"
 #include "results/hdf5/types.hpp"
@@ -10,10 +9,8 @@
 namespace trunk::hdf5 {
 namespace {
 
-constexpr int deepest = 12;  // our files go to 4
-constexpr std::size_t most_objects = 1000000;
 constexpr hsize_t best_compression = 2000;     // deflate reaches 1032
-constexpr hsize_t largest = hsize_t{1} << 32;  // bytes; 10^7 steps are 80 MB a curve
+constexpr hsize_t largest = hsize_t{1} << 32;  // bytes; a curve of 10^7 steps has 80 MB
 
 std::string up_to_padding(const char* bytes, std::size_t size) {
   return {bytes, std::find(bytes, bytes + size, '\0')};
@@ -23,7 +20,8 @@ bool is_fixed_text(hid_t type) {
   return H5Tget_class(type) == H5T_STRING && H5Tis_variable_str(type) == 0;
 }
 
-/// Bytes of all values. A file of a few bytes may declare petabytes: then this throws.
+/// Returns the number of bytes of all values. Throws Error if it is more than the file can hold, since a
+/// small damaged file may declare petabytes.
 std::size_t declared_bytes(hid_t dataset, hid_t type, const std::string& path) {
   const Space space(H5Dget_space(dataset), "read the shape of " + path);
   const auto values = static_cast<hsize_t>(require(H5Sget_simple_extent_npoints(space), "read " + path));
@@ -51,7 +49,7 @@ void require_hash(hid_t dataset, const std::string& path, const std::string& tex
   }
 }
 
-/// The copy of an array of texts that is safe to read, see free_text_type.
+/// Reads the copy of an array of texts that is safe to read; see free_text_type.
 std::vector<std::string> read_text_copy(hid_t dataset, const std::string& path) {
   std::vector<std::string> texts;
   if (has_attribute(dataset, "texts")) {
@@ -70,53 +68,12 @@ std::vector<std::string> read_text_copy(hid_t dataset, const std::string& path) 
   return texts;
 }
 
-/// Values could lie in any other file of the machine, and opening some of those would never return.
+/// Throws Error if the values are in another file. They could be in any file of the machine, and opening some
+/// files never returns.
 void require_own_values(hid_t dataset, const std::string& path) {
   const Properties properties(H5Dget_create_plist(dataset), "read the layout of " + path);
   if (H5Pget_layout(properties) == H5D_VIRTUAL || H5Pget_external_count(properties) != 0)
     throw Error("cannot read " + path + ": its values are elsewhere");
-}
-
-/// The order of writing where it was kept, else the alphabet.
-H5_index_t order_of(hid_t group) {
-  const Properties properties(H5Gget_create_plist(group), "read the order of a group");
-  unsigned flags = 0;
-  H5Pget_link_creation_order(properties, &flags);
-  return flags & H5P_CRT_ORDER_INDEXED ? H5_INDEX_CRT_ORDER : H5_INDEX_NAME;
-}
-
-std::string link_name(hid_t group, H5_index_t order, hsize_t index) {
-  const std::string doing = "read the names in a group";
-  const auto size =
-      require(H5Lget_name_by_idx(group, ".", order, H5_ITER_INC, index, nullptr, 0, H5P_DEFAULT), doing);
-  std::string name(static_cast<std::size_t>(size) + 1, '\0');
-  require(H5Lget_name_by_idx(group, ".", order, H5_ITER_INC, index, name.data(), name.size(), H5P_DEFAULT),
-          doing);
-  name.pop_back();
-  return name;
-}
-
-using Visit = std::function<void(hid_t, H5I_type_t, const std::string&)>;
-
-void walk_below(hid_t group, const std::string& prefix, int depth, std::set<haddr_t>& seen,
-                const Visit& visit) {
-  H5G_info_t info{};
-  require(H5Gget_info(group, &info), "list " + prefix);
-  const H5_index_t order = order_of(group);
-  for (hsize_t index = 0; index < info.nlinks; ++index) {
-    if (depth > deepest || seen.size() > most_objects) throw Error("cannot list the file: it has no end");
-    H5L_info_t link{};
-    require(H5Lget_info_by_idx(group, ".", order, H5_ITER_INC, index, &link, H5P_DEFAULT), "list " + prefix);
-    if (link.type != H5L_TYPE_HARD) continue;
-    const std::string path = prefix + link_name(group, order, index);
-    const Object object(H5Oopen_by_idx(group, ".", order, H5_ITER_INC, index, H5P_DEFAULT), "open " + path);
-    H5O_info_t about{};
-    require(H5Oget_info1(object, &about), "open " + path);
-    if (!seen.insert(about.addr).second) continue;
-    const H5I_type_t kind = H5Iget_type(object);
-    visit(object, kind, path);
-    if (kind == H5I_GROUP) walk_below(object, path + "/", depth + 1, seen, visit);
-  }
 }
 
 }  // namespace
@@ -159,16 +116,6 @@ std::vector<std::string> attribute_names(hid_t object) {
     return 0;
   };
   require(H5Aiterate2(object, H5_INDEX_NAME, H5_ITER_INC, &start, collect, &names), "list attributes");
-  return names;
-}
-
-std::vector<std::string> link_names(hid_t group) {
-  H5G_info_t info{};
-  require(H5Gget_info(group, &info), "list a group");
-  if (info.nlinks > most_objects) throw Error("cannot list the file: it has no end");
-  const H5_index_t order = order_of(group);
-  std::vector<std::string> names;
-  for (hsize_t index = 0; index < info.nlinks; ++index) names.push_back(link_name(group, order, index));
   return names;
 }
 
@@ -227,14 +174,14 @@ std::string read_text(hid_t group, const std::string& path) {
 
 void verify(hid_t dataset, const std::string& path) {
   const Properties properties(H5Dget_create_plist(dataset), "read the layout of " + path);
-  if (H5Pget_layout(properties) == H5D_VIRTUAL) return;  // what it shows is verified where it is
+  if (H5Pget_layout(properties) == H5D_VIRTUAL) return;  // the dataset that it shows is verified itself
   require_own_values(dataset, path);
   const Type type(H5Dget_type(dataset), "read the type of " + path);
   if (H5Tis_variable_str(type) > 0) {
     read_text_copy(dataset, path);
     return;
   }
-  // Memory behind pointers within something else: nothing of ours, so a stranger's addition.
+  // Values with pointers inside are not ours: another program has added them.
   if (H5Tdetect_class(type, H5T_VLEN) != 0 ||
       H5Tdetect_class(type, H5T_STRING) != (H5Tget_class(type) == H5T_STRING)) {
     return;
@@ -242,11 +189,6 @@ void verify(hid_t dataset, const std::string& path) {
   const Type native(H5Tget_native_type(type, H5T_DIR_DEFAULT), "read the type of " + path);
   const auto block = read_as<char>(dataset, native, path);
   if (is_fixed_text(type)) require_hash(dataset, path, up_to_padding(block.data(), block.size()));
-}
-
-void walk(hid_t group, const Visit& visit) {
-  std::set<haddr_t> seen;
-  walk_below(group, "", 0, seen, visit);
 }
 
 }  // namespace trunk::hdf5

@@ -11,8 +11,8 @@
 
 namespace trunk::hdf5 {
 
-/// UTF-8 text of at most so many bytes and a final zero (netCDF-C reads on without it), for attributes and
-/// single texts: these lie in object headers, under a checksum.
+/// Returns the type of UTF-8 text of at most so many bytes and a final zero, without which netCDF-C reads too
+/// far. It is for attributes and single texts, which are in object headers and have a checksum there.
 inline Type text_type(std::size_t bytes) {
   Type type(H5Tcopy(H5T_C_S1), "prepare text");
   require(H5Tset_size(type, bytes + 1), "prepare text");
@@ -21,17 +21,17 @@ inline Type text_type(std::size_t bytes) {
   return type;
 }
 
-/// UTF-8 text of any length, for arrays. Fixed lengths would be simpler, but netCDF-C 4.9 crashes on
-/// arrays of them. HDF5 keeps free lengths in a heap without checksums, and 1.10 crashes or never
-/// returns when that is damaged: the layer writes such arrays, for others, and never reads them. It
-/// reads the copy that they carry in the attribute `texts`.
+/// Returns the type of UTF-8 text of any length, for arrays. Fixed lengths would be simpler, but netCDF-C 4.9
+/// crashes on arrays of them. HDF5 stores texts of any length in a heap without checksums, and version 1.10
+/// crashes or never returns if the heap is damaged. Therefore this layer writes such arrays for other
+/// programs, but reads only the copy in their attribute `texts`.
 inline Type free_text_type() {
   Type type = text_type(0);
   require(H5Tset_size(type, H5T_VARIABLE), "prepare text");
   return type;
 }
 
-/// Values as HDF5 wants them: one block of memory and its type, here and in the file.
+/// Values in the form that HDF5 needs: one block of memory, its type in memory and its type in the file.
 template <typename Value>
 class Packed {
  public:
@@ -70,7 +70,7 @@ class Packed<std::string> {
   Type type_;
 };
 
-/// What is hashed of several texts: each with a zero behind it.
+/// Returns the text whose hash represents several texts: each text followed by a zero.
 inline std::string joined(std::span<const std::string> texts) {
   std::string block;
   for (const std::string& text : texts) block.append(text.c_str(), std::strlen(text.c_str()) + 1);

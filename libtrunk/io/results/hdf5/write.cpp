@@ -28,7 +28,8 @@ Properties dataset_properties() {
   return properties;
 }
 
-/// Few rows where a row is large, so that a reader of one frame does not inflate the whole array.
+/// Returns chunks with few rows if a row is large, so that a reader of one frame need not decompress the
+/// whole array.
 std::vector<hsize_t> chunk_shape(std::vector<hsize_t> shape, std::size_t value_bytes) {
   hsize_t row_bytes = value_bytes;
   for (std::size_t axis = 1; axis < shape.size(); ++axis) {
@@ -45,7 +46,7 @@ Properties filtered(const std::vector<hsize_t>& shape, std::size_t value_bytes) 
   const auto chunk = chunk_shape(shape, value_bytes);
   require(H5Pset_chunk(properties, static_cast<int>(chunk.size()), chunk.data()), "choose chunks");
   require(H5Pset_shuffle(properties), "shuffle");
-  // Level 2: a higher one takes half as long again and saves 2 %.
+  // Level 2, since higher levels take 50 % longer and save only 2 %.
   require(H5Pset_deflate(properties, 2), "compress");
   require(H5Pset_fletcher32(properties), "add checksums");
   return properties;
@@ -71,8 +72,8 @@ std::string path_of(hid_t object) {
   return path;
 }
 
-/// For what takes no filters: single values, and texts, whose bytes are elsewhere.
-/// Compact where it fits: the value lies in the object header, under its checksum.
+/// Returns the properties of datasets without filters: single values, and texts, whose bytes are elsewhere.
+/// If the value fits, it is compact: in the object header, which has a checksum.
 Properties unfiltered(std::size_t bytes) {
   Properties properties = dataset_properties();
   require(H5Pset_layout(properties, bytes <= largest_compact ? H5D_COMPACT : H5D_CONTIGUOUS),
@@ -133,8 +134,9 @@ Group create_group(hid_t parent, const std::string& name) {
                "create group " + name);
 }
 
-void link_again(hid_t from, const std::string& target, hid_t to, const std::string& name) {
-  require(H5Lcreate_hard(from, target.c_str(), to, name.c_str(), H5P_DEFAULT, H5P_DEFAULT), "link " + name);
+void link_again(hid_t from, const std::string& object_path, hid_t to, const std::string& name) {
+  require(H5Lcreate_hard(from, object_path.c_str(), to, name.c_str(), H5P_DEFAULT, H5P_DEFAULT),
+          "link " + name);
 }
 
 template <typename Value>

@@ -10,12 +10,12 @@
 
 #include "results/hdf5/id.hpp"
 
-/// Private to the results layer: what is written is checksummed (data by fletcher32 or in a
-/// checksummed object header), carries CF `units` and `long_name`, has a dimension scale on every
-/// axis, and no times. All functions throw Error.
+/// Private to the results layer: writing. All data have checksums (fletcher32, or that of the object header),
+/// CF `units` and `long_name`, and a dimension scale on every axis, but no times of creation. All functions
+/// throw Error.
 namespace trunk::hdf5 {
 
-/// How a dataset is called and what it means. Empty `units` = not a quantity (text, codes).
+/// The name and the meaning of a dataset. `units` is empty if it is not a quantity (texts, codes).
 struct Label {
   std::string name, units, long_name;
 };
@@ -29,8 +29,8 @@ using Axes = std::initializer_list<std::reference_wrapper<const Axis>>;
 
 Group create_group(hid_t parent, const std::string& name);
 
-/// A second name for an object of the same file.
-void link_again(hid_t from, const std::string& target, hid_t to, const std::string& name);
+/// Gives an object of the same file a second name.
+void link_again(hid_t from, const std::string& object_path, hid_t to, const std::string& name);
 
 void write_attribute(hid_t object, const std::string& name, std::string_view text);
 void write_attribute(hid_t object, const std::string& name, const char* text);
@@ -41,10 +41,10 @@ void write_attribute(hid_t object, const std::string& name, std::int32_t value);
 void write_attribute(hid_t object, const std::string& name, std::int64_t value);
 void write_attribute(hid_t object, const std::string& name, std::uint64_t value);
 
-/// Text without an end sign, as VTK wants it.
+/// Writes text without a final zero, as VTK needs it.
 void write_ascii_attribute(hid_t object, const std::string& name, const std::string& text);
 
-/// An array over `axes`, row-major. Value is double, std::int32_t, std::int64_t or std::string.
+/// Writes an array over `axes`, row-major. Value is double, std::int32_t, std::int64_t or std::string.
 template <typename Value>
 Dataset write_array(hid_t group, const Label&, std::span<const Value> values, Axes axes);
 
@@ -53,32 +53,32 @@ Dataset write_array(hid_t group, const Label& label, const std::vector<Value>& v
   return write_array(group, label, std::span<const Value>(values), axes);
 }
 
-/// The numbers of another dataset of the file, `source` seen from `group`, in the same order over other
-/// `axes`: none are copied (an HDF5 virtual dataset).
+/// Writes a virtual dataset: the numbers of the dataset `source` below `source_group`, in the same order over
+/// other `axes`. No number is copied.
 Dataset write_view(hid_t group, const Label&, hid_t source_group, const std::string& source, Axes axes);
 
-/// An array of doubles over two axes that need not be in memory as a whole: `fill(first, rows)` is asked for
-/// some rows, from the first on, after the other.
+/// Writes an array of doubles over two axes that need not fit into memory: it calls `fill(first, rows)` for
+/// some rows at a time.
 using FillRows = std::function<void(std::size_t first, std::span<double> rows)>;
 Dataset write_rows(hid_t group, const Label&, const FillRows& fill, const Axis& rows, const Axis& columns);
 
-/// A one-dimensional array that is an axis itself.
+/// Writes a one-dimensional array that is an axis.
 template <typename Value>
 Axis write_axis(hid_t group, const Label&, const std::vector<Value>& coordinates);
 
-/// The axis 0, 1 … size-1.
+/// Writes the axis 0, 1 … size-1.
 Axis write_count_axis(hid_t group, const Label&, std::size_t size);
 
-/// A single number.
+/// Writes a single number.
 void write_number(hid_t group, const Label&, double value);
 
-/// A text of any length, with its sha256 as an attribute.
+/// Writes a text of any length, with its SHA-256 as an attribute.
 void write_text(hid_t group, const Label&, const std::string& text);
 
-/// An attribute that is a reference to the object `target`, seen from `group`.
-void refer_to(hid_t object, const std::string& name, hid_t group, const std::string& target);
+/// Writes an attribute that is a reference to the object at `object_path` below `group`.
+void refer_to(hid_t object, const std::string& name, hid_t group, const std::string& object_path);
 
-/// Says what the codes 0, 1 … of a dataset mean (CF flag_values, flag_meanings).
+/// Writes the meanings of the codes 0, 1 … of a dataset (CF flag_values and flag_meanings).
 void write_flags(hid_t dataset, const std::vector<std::string>& meanings);
 
 }  // namespace trunk::hdf5

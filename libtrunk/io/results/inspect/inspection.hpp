@@ -14,10 +14,10 @@ namespace trunk::layout {
 struct DatasetInfo {
   std::string path, units, long_name, type;
   std::vector<std::uint64_t> shape;  ///< empty for a single value
-  std::uint64_t stored_bytes = 0;    ///< after compression
+  std::uint64_t stored_bytes = 0;    ///< compressed
 };
 
-/// A results file in short; gathered once, printed in two ways.
+/// The summary of a results file, for text and JSON.
 struct Inspection {
   std::string kind;
   std::uint64_t file_bytes = 0;
@@ -25,13 +25,13 @@ struct Inspection {
   std::vector<std::pair<std::string, std::string>> provenance;  //
   std::vector<NamedValue> parameters;                           ///< of a run
   std::vector<FitRecord::Parameter> fitted;                     ///< of a fit
-  std::vector<NamedValue> measures;                             ///< of a run, or of a fit's best run
+  std::vector<NamedValue> measures;                             ///< of a run, or of the best run of a fit
   std::vector<NamedValue> statistics;                           ///< of a fit
-  std::vector<std::pair<std::string, std::size_t>> run_status;  ///< of a sweep: status, how many runs
+  std::vector<std::pair<std::string, std::size_t>> run_status;  ///< of a sweep: status and number of runs
   std::vector<DatasetInfo> datasets;
 };
 
-/// Reads the whole file. Throws InputError as read_results does.
+/// Reads the whole file and all its checksums; throws InputError as read_results does.
 Inspection inspect_results(const std::filesystem::path& path);
 
 }  // namespace trunk::layout

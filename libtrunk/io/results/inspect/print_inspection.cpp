@@ -6,21 +6,13 @@
 #include <nlohmann/json.hpp>
 
 #include "results/inspect/inspection.hpp"
+#include "text/message_text.hpp"
 
 namespace trunk {
 namespace {
 
 using layout::Inspection;
 using Texts = std::vector<std::pair<std::string, std::string>>;
-
-/// Text from a file goes to a terminal: no line breaks, no control sequences.
-std::string printable(std::string text) {
-  for (char& c : text) {
-    if (c == '\n' || c == '\t') c = ' ';
-    if (static_cast<unsigned char>(c) < 32 || c == 127) c = '?';
-  }
-  return text;
-}
 
 std::string file_size(std::uint64_t bytes) {
   if (bytes < 10000) return fmt::format("{} bytes", bytes);
@@ -31,7 +23,7 @@ std::string file_size(std::uint64_t bytes) {
 std::string print_texts(const std::string& title, const Texts& texts) {
   std::string out = title;
   for (const auto& [name, text] : texts)
-    out += fmt::format("  {:<14} {}\n", printable(name), printable(text));
+    out += fmt::format("  {:<14} {}\n", without_controls(name), without_controls(text));
   return out;
 }
 
@@ -40,7 +32,8 @@ std::string print_numbers(const std::string& title, const std::vector<NamedValue
   std::string out = title + "\n";
   for (const NamedValue& number : numbers) {
     const std::string value = std::isfinite(number.value) ? fmt::format("{:.6g}", number.value) : "not known";
-    out += fmt::format("  {:<32} {:>14} {}\n", printable(number.name), value, printable(number.unit));
+    out += fmt::format("  {:<32} {:>14} {}\n", without_controls(number.name), value,
+                       without_controls(number.unit));
   }
   return out;
 }
@@ -49,7 +42,7 @@ std::string print_fitted(const std::vector<FitRecord::Parameter>& parameters) {
   if (parameters.empty()) return "";
   std::string out = "parameters: best, standard error, 95 % interval\n";
   for (const auto& parameter : parameters) {
-    out += fmt::format("  {:<24} {:>12.6g}", printable(parameter.name), parameter.best);
+    out += fmt::format("  {:<24} {:>12.6g}", without_controls(parameter.name), parameter.best);
     if (!parameter.free && !parameter.beside)
       out += " fixed";
     else if (std::isfinite(parameter.stderr_))
@@ -57,7 +50,8 @@ std::string print_fitted(const std::vector<FitRecord::Parameter>& parameters) {
           fmt::format(" ± {:.3g} [{:.6g}, {:.6g}]", parameter.stderr_, parameter.lower95, parameter.upper95);
     else
       out += " uncertainty not known";
-    out += fmt::format(" {}{}\n", printable(parameter.unit), parameter.at_bound ? ", AT ITS BOUND" : "");
+    out +=
+        fmt::format(" {}{}\n", without_controls(parameter.unit), parameter.at_bound ? ", AT ITS BOUND" : "");
   }
   return out;
 }
@@ -65,15 +59,16 @@ std::string print_fitted(const std::vector<FitRecord::Parameter>& parameters) {
 std::string print_runs(const std::vector<std::pair<std::string, std::size_t>>& counts) {
   if (counts.empty()) return "";
   std::string out = "runs\n";
-  for (const auto& [status, count] : counts) out += fmt::format("  {:<14} {}\n", printable(status), count);
+  for (const auto& [status, count] : counts)
+    out += fmt::format("  {:<14} {}\n", without_controls(status), count);
   return out;
 }
 
 std::string print_datasets(const Inspection& file) {
   std::string out = "datasets (all read, checksums agree)\n";
   for (const auto& dataset : file.datasets) {
-    out += fmt::format("  {:<44} {:<8} {:<16} {:<8} {:>12}\n", printable(dataset.path), dataset.type,
-                       fmt::format("[{}]", fmt::join(dataset.shape, ", ")), printable(dataset.units),
+    out += fmt::format("  {:<44} {:<8} {:<16} {:<8} {:>12}\n", without_controls(dataset.path), dataset.type,
+                       fmt::format("[{}]", fmt::join(dataset.shape, ", ")), without_controls(dataset.units),
                        file_size(dataset.stored_bytes));
   }
   return out;
@@ -126,7 +121,7 @@ std::string inspection_json(const std::filesystem::path& path) {
                                {"long_name", dataset.long_name},
                                {"stored_bytes", dataset.stored_bytes}});
   }
-  // A foreign hand may have left text that is not UTF-8.
+  // Another program may have written text that is not UTF-8.
   return out.dump(2, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 

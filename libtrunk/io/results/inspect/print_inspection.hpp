@@ -5,12 +5,12 @@
 
 namespace trunk {
 
-/// What `trunk inspect` prints: kind, title, status, origin, parameters with their uncertainty,
-/// measures, datasets with shape and unit. All data are read through, so that damage is found.
-/// Throws InputError when the file is not a finished results file of trunk, or is damaged.
+/// Returns the text that `trunk inspect` prints: kind, title, status, origin, parameters with their
+/// uncertainty, measures, and datasets with shape and unit. Reads all data, so that it finds any damage.
+/// Throws InputError if the file is not a finished results file of trunk, or if it is damaged.
 std::string inspection_text(const std::filesystem::path& path);
 
-/// The same as one JSON object, schema "trunk.inspect/1"; NaN becomes null.
+/// Returns the same as a JSON object of schema "trunk.inspect/1". NaN becomes null.
 std::string inspection_json(const std::filesystem::path& path);
 
 }  // namespace trunk

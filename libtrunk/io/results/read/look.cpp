@@ -9,22 +9,22 @@ namespace trunk {
 namespace {
 
 struct Look {
-  std::string_view begin, extension;  // either may be empty: then the other decides
+  std::string_view begin, extension;  // one of them is empty, and the other decides
   std::string_view meaning;
 };
 
 constexpr std::array looks = {
     Look{"SQLite format 3", "",
-         "the ledger of an unfinished fit; the command that began it goes on from there and then removes it"},
-    Look{"", ".part", "what an interrupted program left; it can be deleted"},
-    Look{"", ".toml", "TOML, perhaps a scenario or a sweep; see `trunk check`"},
-    Look{"", ".csv", "a table; a trace is shown by `trunk breaths`"},
+         "the ledger of an unfinished fit; repeat the command of the fit to resume it"},
+    Look{"", ".part", "an unfinished file of an interrupted program; it can be deleted"},
+    Look{"", ".toml", "TOML, perhaps a scenario or a sweep; `trunk check` reads it"},
+    Look{"", ".csv", "a table; `trunk breaths` shows a trace"},
     Look{"<!DOCTYPE html", "", "a web page, perhaps a report"},
     Look{"<!doctype html", "", "a web page, perhaps a report"},
-    Look{"<", "", "XML; PML and LML are read by `trunk simulate`, VTK's files by ParaView"},
-    Look{"MATLAB 5.0", "", "a MATLAB file; a trace is shown by `trunk breaths`"},
+    Look{"<", "", "XML; `trunk simulate` reads PML and LML, ParaView reads VTK files"},
+    Look{"MATLAB 5.0", "", "a MATLAB file; `trunk breaths` shows a trace"},
     Look{"CDF", "", "a classic netCDF file of another program"},
-    Look{"\x1f\x8b", "", "compressed (gzip)"},
+    Look{"\x1f\x8b", "", "a compressed file (gzip)"},
     Look{"PK\x03\x04", "", "a ZIP archive"},
     Look{"\x89PNG", "", "a picture (PNG)"},
     Look{"{", "", "JSON"},
@@ -47,7 +47,7 @@ std::string look_of(const std::filesystem::path& path) {
   for (const Look& look : looks)
     if (look.begin.empty() ? path.extension() == look.extension : bytes.starts_with(look.begin))
       return std::string(look.meaning);
-  return is_text(bytes) ? "text" : "nothing known here, or is damaged in its first bytes";
+  return is_text(bytes) ? "text" : "an unknown format, or a file that is damaged in its first bytes";
 }
 
 }  // namespace trunk

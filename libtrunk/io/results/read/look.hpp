@@ -5,8 +5,8 @@
 
 namespace trunk {
 
-/// What a file that is not HDF5 looks like, and which command takes it: "TOML, perhaps a scenario …; see …".
-/// Goes by its first bytes or its name.
+/// Returns what a file that is not HDF5 looks like according to its first bytes or its name, and which
+/// command reads it: "TOML, perhaps a scenario …; see …".
 std::string look_of(const std::filesystem::path& path);
 
 }  // namespace trunk

@@ -9,9 +9,9 @@
 /// Private to the results layer.
 namespace trunk::layout {
 
-/// Opens a finished results file and hands its root group and kind ("run", "fit", "sweep") to `use`.
-/// Throws InputError that says which it is: missing, not HDF5, truncated or damaged, made by another
-/// program, of a newer schema, unfinished; also for whatever goes wrong with HDF5 within `use`.
+/// Opens a finished results file and calls `use` with its root group and its kind ("run", "fit" or "sweep").
+/// Throws InputError if the file is missing, not HDF5, truncated, damaged, unfinished, from another program
+/// or of a newer schema, and if HDF5 fails within `use`.
 void read_results(const std::filesystem::path& path,
                   const std::function<void(hid_t root, const std::string& kind)>& use);
 

@@ -1,4 +1,7 @@
+#include <fmt/format.h>
+
 #include "errors/input_error.hpp"
+#include "math/units.hpp"
 #include "results/hdf5/read.hpp"
 #include "results/read/open_results.hpp"
 #include "results/read/read_numbers.hpp"
@@ -18,11 +21,11 @@ double number_of(const std::vector<NamedValue>& numbers, const std::string& name
 }
 
 Doubles to_m3(Doubles volumes_ml) {
-  for (double& v : volumes_ml) v /= 1e6;
+  for (double& v : volumes_ml) v /= ml_per_m3;
   return volumes_ml;
 }
 
-/// A column of the table of parameters.
+/// Reads a column of the table of parameters, and assigns its values to the parameters.
 template <typename Assign>
 void fill(hid_t root, const std::string& column, FitRecord& fit, Assign assign) {
   const Doubles values = read_doubles(root, "parameters/" + column);
@@ -195,7 +198,7 @@ void layout::read_estimates(hid_t root, FitRecord& fit) {
 FitRecord read_fit(const std::filesystem::path& path) {
   FitRecord fit;
   layout::read_results(path, [&](hid_t root, const std::string& kind) {
-    if (kind != "fit") throw InputError(path.string(), 0, "is a " + kind + ", expected a fit");
+    if (kind != "fit") throw InputError({path.string()}, fmt::format("is a {}", kind), "a fit");
     fit.title = hdf5::read_attribute(root, "title");
     fit.status = hdf5::read_attribute(root, "status");
     fit.message = hdf5::read_attribute(root, "message");

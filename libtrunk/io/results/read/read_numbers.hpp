@@ -9,10 +9,10 @@
 /// Private to the results layer.
 namespace trunk::layout {
 
-/// The single numbers in a group, in the order written; a pure number has the unit "1".
+/// Returns the single numbers in a group in the order of writing. A pure number has the unit "1".
 std::vector<NamedValue> read_numbers(hid_t root, const std::string& group);
 
-/// The best parameters of a fit.
+/// Returns the best parameters of a fit.
 std::vector<NamedValue> read_best_parameters(hid_t root);
 
 }  // namespace trunk::layout

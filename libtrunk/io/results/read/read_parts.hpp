@@ -3,13 +3,13 @@
 #include "results/hdf5/id.hpp"
 #include "results/records.hpp"
 
-/// Private to the results layer.
+/// Private to the results layer: the parts that records share. All functions throw hdf5::Error.
 namespace trunk::layout {
 
 RunRecord read_run_content(hid_t group);
 Provenance read_provenance(hid_t group);
 
-/// The table of parameters alone, into an empty record.
+/// Reads only the table of parameters into an empty record.
 void read_estimates(hid_t root, FitRecord& fit);
 
 }  // namespace trunk::layout

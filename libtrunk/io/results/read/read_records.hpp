@@ -6,11 +6,11 @@
 
 namespace trunk {
 
-/// A run as it was written, or the best run of a fit. Clock times may be absent. Throws InputError when the
-/// file is neither, or damaged.
+/// Returns the run of a file, or the best run of a fit. Clock times may be missing. Throws InputError if the
+/// file is neither, or if it is damaged.
 RunRecord read_run(const std::filesystem::path& path);
 
-/// A fit as it was written. Throws InputError when the file is none, or damaged.
+/// Returns the fit of a file; throws InputError if the file is not a fit, or if it is damaged.
 FitRecord read_fit(const std::filesystem::path& path);
 
 }  // namespace trunk

@@ -22,7 +22,7 @@ std::vector<std::int32_t> read_codes(hid_t group, const std::string& path) {
   return codes;
 }
 
-/// The words that `write_flags` left for the codes.
+/// Returns the meanings of codes that write_flags wrote.
 std::vector<std::string> read_meanings(hid_t group, const std::string& path) {
   std::istringstream words(hdf5::read_attribute_if_any(hdf5::open_dataset(group, path), "flag_meanings"));
   std::vector<std::string> meanings;
@@ -39,7 +39,7 @@ std::vector<std::array<std::int32_t, N>> read_cells(hid_t group, const std::stri
   return cells;
 }
 
-/// Every index of a particle exists.
+/// Throws Error if a cell names a particle that does not exist.
 template <class Cells>
 void require_particles(const Cells& cells, std::size_t particles, const std::string& path) {
   for (const auto& cell : cells)
@@ -172,7 +172,7 @@ RunRecord layout::read_run_content(hid_t run) {
 RunRecord read_run(const std::filesystem::path& path) {
   RunRecord record;
   layout::read_results(path, [&](hid_t root, const std::string& kind) {
-    if (kind == "sweep") throw InputError(path.string(), 0, "is a sweep, expected a run or a fit");
+    if (kind == "sweep") throw InputError({path.string()}, "is a sweep", "a run or a fit");
     record = kind == "run" ? layout::read_run_content(root)
                            : layout::read_run_content(hdf5::open_group(root, "best_run"));
   });

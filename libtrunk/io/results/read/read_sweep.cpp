@@ -1,5 +1,7 @@
 #include "results/read/read_sweep.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "errors/input_error.hpp"
@@ -63,7 +65,7 @@ void read_first_curves(hid_t root, StoredSweep& sweep) {
 StoredSweep read_sweep(const std::filesystem::path& path, std::size_t most_runs) {
   StoredSweep sweep;
   layout::read_results(path, [&](hid_t root, const std::string& kind) {
-    if (kind != "sweep") throw InputError(path.string(), 0, "is a " + kind + ", expected a sweep");
+    if (kind != "sweep") throw InputError({path.string()}, fmt::format("is a {}", kind), "a sweep");
     sweep.title = hdf5::read_attribute(root, "title");
     sweep.sweep_toml = hdf5::read_text(root, "sweep_toml");
     read_table(root, most_runs, sweep);

@@ -6,7 +6,7 @@
 
 namespace trunk {
 
-/// The beginning of a sweep's table: of R runs the first r, as a sweep may be larger than the memory.
+/// The first r of the R runs in the table of a sweep, since a sweep may be larger than the memory.
 struct StoredSweep {
   std::string title, sweep_toml;
   std::size_t runs = 0;                                       ///< R
@@ -17,7 +17,8 @@ struct StoredSweep {
   Provenance provenance;
 };
 
-/// Throws InputError when the file is no sweep, or damaged.
+/// Reads at most `most_runs` runs of a sweep; throws InputError if the file is not a sweep, or if it is
+/// damaged.
 StoredSweep read_sweep(const std::filesystem::path& path, std::size_t most_runs);
 
 }  // namespace trunk

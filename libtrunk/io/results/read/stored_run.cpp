@@ -1,5 +1,7 @@
 #include "results/read/stored_run.hpp"
 
+#include <fmt/format.h>
+
 #include "errors/input_error.hpp"
 #include "results/hdf5/read.hpp"
 #include "results/read/open_results.hpp"
@@ -13,7 +15,7 @@ void read_curve(hid_t root, StoredRun& run) {
   run.curve_time_s = hdf5::read_doubles(root, "curves/time");
   if (!hdf5::has_link(root, "curves/dV_model")) return;
   const std::string unit = hdf5::read_attribute(hdf5::open_dataset(root, "curves/dV_model"), "units");
-  if (unit != "ml") throw hdf5::Error("curves/dV_model is in '" + unit + "', expected ml");
+  if (unit != "ml") throw hdf5::Error(fmt::format("curves/dV_model is in '{}' instead of ml", unit));
   run.curve_dV_ml = hdf5::read_doubles(root, "curves/dV_model");
   if (run.curve_dV_ml.size() != run.curve_time_s.size()) {
     throw hdf5::Error("curves/dV_model and curves/time differ in length");
@@ -25,7 +27,7 @@ void read_curve(hid_t root, StoredRun& run) {
 std::vector<NamedValue> read_parameters(const std::filesystem::path& path) {
   std::vector<NamedValue> parameters;
   layout::read_results(path, [&](hid_t root, const std::string& kind) {
-    if (kind == "sweep") throw InputError(path.string(), 0, "is a sweep, expected a run or a fit");
+    if (kind == "sweep") throw InputError({path.string()}, "is a sweep", "a run or a fit");
     parameters =
         kind == "run" ? layout::read_numbers(root, "parameters") : layout::read_best_parameters(root);
   });
@@ -35,7 +37,7 @@ std::vector<NamedValue> read_parameters(const std::filesystem::path& path) {
 RunInputs read_run_inputs(const std::filesystem::path& path) {
   RunInputs inputs;
   layout::read_results(path, [&](hid_t root, const std::string& kind) {
-    if (kind == "sweep") throw InputError(path.string(), 0, "is a sweep, expected a run or a fit");
+    if (kind == "sweep") throw InputError({path.string()}, "is a sweep", "a run or a fit");
     const std::string parameters = kind == "run" ? "parameters/" : "best_run/parameters/";
     inputs.scenario_toml = hdf5::read_text(root, parameters + "scenario_toml");
     if (hdf5::has_link(root, parameters + "trunk_pml"))
@@ -47,7 +49,7 @@ RunInputs read_run_inputs(const std::filesystem::path& path) {
 StoredRun read_stored_run(const std::filesystem::path& path) {
   StoredRun run;
   layout::read_results(path, [&](hid_t root, const std::string& kind) {
-    if (kind != "run") throw InputError(path.string(), 0, "is a " + kind + ", expected a run");
+    if (kind != "run") throw InputError({path.string()}, fmt::format("is a {}", kind), "a run");
     run.title = hdf5::read_attribute(root, "title");
     run.status = hdf5::read_attribute(root, "status");
     run.message = hdf5::read_attribute(root, "message");

@@ -1,5 +1,6 @@
 #include "results/write/layout.hpp"
 
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <array>
@@ -11,6 +12,7 @@
 #include <string_view>
 
 #include "files/replace_file.hpp"
+#include "math/units.hpp"
 #include "results/hdf5/image.hpp"
 #include "results/hdf5_version.hpp"
 #include "results/seal.hpp"
@@ -20,7 +22,7 @@ namespace {
 
 using hdf5::write_attribute;
 
-/// One pair a line, in the manner of `sha256sum`: "second  first".
+/// Returns one pair per line: "first second", or "second  first" as `sha256sum` prints it.
 std::string lines(const std::vector<std::pair<std::string, std::string>>& pairs, bool second_first) {
   std::string text;
   for (const auto& [first, second] : pairs) {
@@ -29,7 +31,7 @@ std::string lines(const std::vector<std::pair<std::string, std::string>>& pairs,
   return text;
 }
 
-/// Now, or the moment SOURCE_DATE_EPOCH gives in seconds since 1970.
+/// Returns the present time, or the time of SOURCE_DATE_EPOCH in seconds since 1970.
 std::time_t creation_time() {
   const char* given = std::getenv("SOURCE_DATE_EPOCH");
   if (!given || !*given) return std::time(nullptr);
@@ -37,7 +39,7 @@ std::time_t creation_time() {
   long long seconds = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seconds);
   if (error != std::errc() || end != text.data() + text.size()) {
-    throw hdf5::Error("SOURCE_DATE_EPOCH is '" + std::string(text) + "', expected whole seconds since 1970");
+    throw hdf5::Error(fmt::format("SOURCE_DATE_EPOCH is '{}'; expected whole seconds since 1970", text));
   }
   return static_cast<std::time_t>(seconds);
 }
@@ -69,9 +71,9 @@ void store(const std::filesystem::path& path, const std::string& kind,
     const std::string seal = seal_of(image.bytes());
     replace_file(path, image.bytes(), std::as_bytes(std::span(seal)));
   } catch (const hdf5::Error& error) {
-    throw std::runtime_error(path.string() + ": " + error.what());
+    throw std::runtime_error(fmt::format("{}: {}", path.string(), error.what()));
   } catch (const std::bad_alloc&) {
-    throw std::runtime_error(path.string() + ": out of memory while preparing this file");
+    throw std::runtime_error(fmt::format("{}: out of memory while preparing this file", path.string()));
   }
 }
 
@@ -122,7 +124,7 @@ std::string file_unit(const std::string& unit) {
 
 std::vector<double> to_ml(const std::vector<double>& volumes_m3) {
   std::vector<double> volumes_ml = volumes_m3;
-  for (double& volume : volumes_ml) volume *= 1e6;
+  for (double& volume : volumes_ml) volume *= ml_per_m3;
   return volumes_ml;
 }
 

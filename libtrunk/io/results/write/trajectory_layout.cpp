@@ -25,8 +25,8 @@ void write_box(hid_t particles) {
   hdf5::write_attribute(box, "boundary", none);
 }
 
-/// One quantity of all particles at all frames. Its unit is only in CF's `units`: readers of H5MD
-/// (MDAnalysis) refuse an H5MD `unit` of metres.
+/// One quantity of all particles at all frames. Its unit is only in the attribute `units` of CF, because
+/// readers of H5MD (MDAnalysis) reject an H5MD `unit` of metres.
 struct Frames {
   Group particles;
   Axis particle, xyz;
@@ -124,7 +124,7 @@ void write_connectivity(hid_t group, const Trajectory& trajectory) {
     const Axis end = write_count_axis(connectivity, {"fibre_end", "1", "end of a fibre"}, 2);
     write_cells(group, connectivity, {"fibres", "1", "particle at each end"}, fibre, end, trajectory.fibres);
     if (!trajectory.fibre_activity.empty())
-      write_array(connectivity, {"fibre_activity", "1", "share of k_muscle, 0 where paralysed"},
+      write_array(connectivity, {"fibre_activity", "1", "fraction of k_muscle, 0 if paralysed"},
                   trajectory.fibre_activity, {fibre});
   }
   if (!trajectory.muscle_lines.empty()) {

@@ -3,14 +3,14 @@
 #include "results/write/layout.hpp"
 
 /// VTKHDF 2.0, PolyData over time: https://docs.vtk.org, "VTKHDF format specification". The mesh never
-/// changes, so all steps share one part, and only the offsets into points and velocities move on.
+/// changes, so all steps share one part, and only the offsets into points and velocities increase.
 namespace trunk::layout {
 namespace {
 
 using hdf5::Axis, hdf5::create_group, hdf5::Group, hdf5::write_array, hdf5::write_count_axis;
 using Numbers = std::vector<std::int64_t>;
 
-/// Kinds of cells in VTK's order, in which cell data follow.
+/// The kinds of cells in the order of VTK, which is also the order of cell data.
 constexpr std::array kinds = {"Vertices", "Lines", "Polygons", "Strips"};
 
 template <class Cells>
@@ -52,7 +52,7 @@ void write_steps(hid_t vtk, const Trajectory& trajectory) {
   write_array(cells, {"component", "1", ""}, none, {time});
 }
 
-/// The component of each triangle, and one number beyond those for fibres.
+/// Writes the component of each cell. Fibres have the number after those of the triangles.
 void write_cell_data(hid_t vtk, const Trajectory& trajectory) {
   const auto fibre = static_cast<std::int32_t>(trajectory.component_names.size());
   std::vector<std::int32_t> component(trajectory.fibres.size(), fibre);

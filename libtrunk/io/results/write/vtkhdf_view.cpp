@@ -1,5 +1,7 @@
 #include "results/write/vtkhdf_view.hpp"
 
+#include <fmt/format.h>
+
 #include <stdexcept>
 
 #include "files/replace_file.hpp"
@@ -18,7 +20,7 @@ void write_vtkhdf_view(const std::filesystem::path& view, const std::filesystem:
     });
     replace_file(view, image.bytes());
   } catch (const hdf5::Error& error) {
-    throw std::runtime_error(view.string() + ": " + error.what());
+    throw std::runtime_error(fmt::format("{}: {}", view.string(), error.what()));
   }
 }
 

@@ -13,7 +13,7 @@ using Parameter = FitRecord::Parameter;
 
 const std::string unit_in_table = "in the unit that `unit` gives for the parameter";
 
-/// One member of all parameters.
+/// Returns one member of all parameters.
 template <typename Member>
 auto column(const std::vector<Parameter>& parameters, Member member) {
   std::vector<std::remove_cvref_t<decltype(parameters.front().*member)>> values;
@@ -74,8 +74,8 @@ void write_parameters(hid_t root, const FitRecord& fit) {
   write("stderr", "standard error of best", &Parameter::stderr_);
   write("lower95", "lower end of the 95 % interval", &Parameter::lower95);
   write("upper95", "upper end of the 95 % interval", &Parameter::upper95);
-  write("naive_lower95", "lower end as if all samples were independent", &Parameter::naive_lower95);
-  write("naive_upper95", "upper end as if all samples were independent", &Parameter::naive_upper95);
+  write("naive_lower95", "lower end if all samples are taken as independent", &Parameter::naive_lower95);
+  write("naive_upper95", "upper end if all samples are taken as independent", &Parameter::naive_upper95);
   write_flags(
       write_array(parameters, {"at_bound", "1", "best is a limit"}, flags(all, &Parameter::at_bound), {name}),
       {"inside", "at_bound"});
@@ -108,7 +108,8 @@ void write_evaluations(hid_t root, const FitRecord& fit) {
   std::vector<std::string> units;
   for (const std::string& name : fit.evaluation_names) units.push_back(unit_of(fit.parameters, name));
   write_array(evaluations, {"unit", "", "unit of the parameter"}, units, {parameter});
-  write_array(evaluations, {"x", "", "what was tried, " + unit_in_table}, fit.evaluation_x, {one, parameter});
+  write_array(evaluations, {"x", "", "the tried values, " + unit_in_table}, fit.evaluation_x,
+              {one, parameter});
   write_array(evaluations, {"objective", "1", "objective"}, fit.evaluation_objective, {one});
   write_array(evaluations, {"status", "1", "outcome of the simulation, 0 = done"}, fit.evaluation_status,
               {one});
@@ -136,7 +137,7 @@ void write_result(hid_t root, const FitRecord& fit) {
                 layout::to_ml(fit.dV_baseline_m3), {time});
   if (!fit.notes.empty()) {
     const Axis note = write_count_axis(result, {"note", "1", "note"}, fit.notes.size());
-    write_array(result, {"notes", "", "what was left out, and why"}, fit.notes, {note});
+    write_array(result, {"notes", "", "what is left out, and why"}, fit.notes, {note});
   }
   layout::write_numbers(create_group(result, "statistics"), fit.statistics);
 }
@@ -157,7 +158,7 @@ void write_starts(hid_t root, const FitRecord& fit) {
   write_array(starts, {"from", "", "where it began, " + unit_in_table}, from, {one, parameter});
   write_array(starts, {"to", "", "where it ended, " + unit_in_table}, to, {one, parameter});
   write_array(starts, {"objective", "1", "objective at its end"}, objective, {one});
-  write_flags(write_array(starts, {"converged", "1", "it ended by itself"}, converged, {one}),
+  write_flags(write_array(starts, {"converged", "1", "whether it converged"}, converged, {one}),
               {"no", "converged"});
 }
 
@@ -168,9 +169,8 @@ void write_profiles(hid_t root, const FitRecord& fit) {
     const Group one = create_group(profiles, p.name);
     const Axis value = write_axis(one, {"value", layout::file_unit(p.unit), p.name}, p.value);
     write_array(one, {"deviance", "1", "-2 log likelihood above its best, AR(1)"}, p.deviance, {value});
-    write_flags(
-        write_array(one, {"at_bound", "1", "another parameter sat on its bound"}, p.at_bound, {value}),
-        {"inside", "at_bound"});
+    write_flags(write_array(one, {"at_bound", "1", "another parameter is at its bound"}, p.at_bound, {value}),
+                {"inside", "at_bound"});
     layout::write_numbers(one, {{"lower95", p.unit, p.lower95}, {"upper95", p.unit, p.upper95}});
   }
 }
@@ -219,7 +219,8 @@ void write_predictions(hid_t root, const FitRecord& fit) {
   }
 }
 
-/// Same program, same call: its provenance is the fit's.
+/// Writes the best run. It has the provenance of the fit, since it is from the same program and the same
+/// call.
 void write_best_run(hid_t root, const FitRecord& fit) {
   const Group best = create_group(root, "best_run");
   layout::write_schema(best, "run");

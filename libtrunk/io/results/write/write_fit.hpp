@@ -6,9 +6,9 @@
 
 namespace trunk {
 
-/// Stores one fit, its best simulation included (group `best_run`, laid out as a run file).
-/// The file appears whole or not at all. Throws std::runtime_error, one line, naming file and cause.
-/// May be called from any thread; calls wait for each other.
+/// Stores one fit and its best simulation, which is in the group `best_run` with the layout of a run. The
+/// file appears completely or not at all. Throws std::runtime_error, one line, with the file and the cause.
+/// Any thread may call it; simultaneous calls wait for each other.
 void write_fit(const std::filesystem::path& path, const FitRecord& fit);
 
 }  // namespace trunk

@@ -21,11 +21,12 @@ Axis write_table(hid_t root, const SweepRecord& sweep) {
   }
   write_array(table, {"status", "", "how the run ended"}, sweep.status, {run});
   write_array(table, {"error", "", "why it failed"}, sweep.error, {run});
-  write_array(table, {"run_file", "", "its file, seen from the folder of this one"}, sweep.run_file, {run});
+  write_array(table, {"run_file", "", "its file, relative to the folder of this file"}, sweep.run_file,
+              {run});
   return run;
 }
 
-/// Copied, not linked: a virtual dataset reads NaN in silence where a file is missing.
+/// Copies the curves, because a virtual dataset silently reads NaN if a file is missing.
 void write_curves(hid_t root, const SweepRecord& sweep, const Axis& run) {
   const Group curves = create_group(root, "curves");
   hdf5::link_again(root, "table/run", curves, "run");
