@@ -83,18 +83,18 @@ class Scenarios(TrunkTest):
                 ("no equals sign", "[time]\ndt_ms 1\n", "s.toml:2: not valid TOML"),
                 ("given twice", "[time]\ndt_ms = 1\ndt_ms = 2\n", "s.toml:3: not valid TOML.*'dt_ms'"),
                 ("unknown key", "[parameters]\nk_muscel_N_per_m = 30\n",
-                 "s.toml:2: unknown key 'parameters.k_muscel_N_per_m', expected 'parameters.k_muscle_N_per_m'"),
+                 "s.toml:2: unknown key 'parameters.k_muscel_N_per_m'; expected 'parameters.k_muscle_N_per_m'"),
                 ("unknown table", "[lungs]\nnumber = 2\n", "s.toml:1: unknown key 'lungs'"),
                 ("negative mass", scenario_with({"particle_mass_kg": -0.2}),
-                 r"s.toml:\d+: tissue.particle_mass_kg is -0\.2, expected a number of kg, 1e-06 to 100\n"),
-                ("no mass", scenario_with({"particle_mass_kg": 0}), r"s.toml:\d+: .* is 0, expected a number of kg"),
-                ("negative stiffness", scenario_with({"k_elasticity_N_per_m": -4000}), r"s.toml:\d+: .*-4000, expected"),
-                ("negative muscle", scenario_with({"k_muscle_N_per_m": -30}), r"s.toml:\d+: .*-30, expected"),
-                ("negative damping", scenario_with({"damping_N_s_per_m": -1}), r"s.toml:\d+: .*-1, expected"),
+                 r"s.toml:\d+: tissue.particle_mass_kg is -0\.2; expected a number of kg, 1e-06 to 100\n"),
+                ("no mass", scenario_with({"particle_mass_kg": 0}), r"s.toml:\d+: .* is 0; expected a number of kg"),
+                ("negative stiffness", scenario_with({"k_elasticity_N_per_m": -4000}), r"s.toml:\d+: .*-4000; expected"),
+                ("negative muscle", scenario_with({"k_muscle_N_per_m": -30}), r"s.toml:\d+: .*-30; expected"),
+                ("negative damping", scenario_with({"damping_N_s_per_m": -1}), r"s.toml:\d+: .*-1; expected"),
                 ("a number in quotes", scenario_with({"k_muscle_N_per_m": '"30"'}), r's.toml:\d+: .*30.*expected a num'),
-                ("not a number", scenario_with({"k_muscle_N_per_m": "nan"}), r"s.toml:\d+: .*finite, expected a number"),
+                ("not a number", scenario_with({"k_muscle_N_per_m": "nan"}), r"s.toml:\d+: .*finite; expected a number"),
                 ("unstable step", scenario_with({"dt_ms": 20}), r"s.toml:\d+: a time step of 20 ms is unstable.*expected less than"),
-                ("metres for mm", scenario_with({"half_width_mm": 0.16}), r"s.toml:\d+: .*is 0\.16, expected .*50 to 400"),
+                ("metres for mm", scenario_with({"half_width_mm": 0.16}), r"s.toml:\d+: .*is 0\.16; expected .*50 to 400"),
                 ("another schema", 'schema = "trunk.sweep/1"\n', 's.toml:1: schema is .*expected "trunk.scenario/1"'),
                 ("extends itself", 'extends = "s.toml"\n', "s.toml:1: .*itself"),
                 ("extends nothing", 'title = "a"\nextends = "none.toml"\n', "s.toml:2: .*none.toml.*no such file"),
@@ -165,7 +165,7 @@ class Results(TrunkTest):
                 self.refuses(self.data[:part])
 
     def test_foreign(self):
-        self.refuses("time_s,volume_ml\n0,1\n", "x.h5: is not an HDF5 file, expected a results file of trunk; it looks like text")
+        self.refuses("time_s,volume_ml\n0,1\n", "x.h5: is not an HDF5 file; expected a results file of trunk; it looks like text")
         self.refuses(b"")
         self.refused("inspect", "none.h5", says="none.h5: no such file")
         self.refused("inspect", ".", says=r"trunk: \.: ")

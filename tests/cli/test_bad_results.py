@@ -153,7 +153,7 @@ class Hostile(TrunkTest):
         self.refused_by_all(r"of another program \(it holds \?\[31mred, b\)")
         with h5py.File(self.folder / "x.h5", "w", libver="earliest") as file:
             file["b"] = 2
-        self.refused_by_all("of another program, expected")
+        self.refused_by_all("of another program; expected")
 
 
 if __name__ == "__main__":

@@ -59,7 +59,7 @@ class Files(TrunkTest):
         self.assert_usual(self.found(csv(TIMES, VOLUMES, "a,b"), "--rate", "100", "--volume", "b", "--unit", "ml"))
         self.refused("breaths", "t.csv", "--rate", "100", "--time", "1", says="--rate|--time")
         self.refused("breaths", "t.csv", "--flow", "1", "--volume", "2", says="--flow|--volume")
-        self.refused("breaths", "t.csv", "--volume", "b", "--time", "a", "--unit", "mol", says="--unit mol: expected")
+        self.refused("breaths", "t.csv", "--volume", "b", "--time", "a", "--unit", "mol", says="--unit mol: .*; expected a unit")
 
     def test_edf(self):
         content = edf("Resp Volume", "mL", VOLUMES, 100, 2000)
@@ -97,7 +97,7 @@ class AllAtOnce(TrunkTest):
         self.assertEqual(found["schema"], "trunk.check/1")
         self.assertEqual([(p["file"], p["line"]) for p in found["problems"]],
                          [("s.toml", 1), ("s.toml", 3), ("s.toml", 6), ("t.csv", 1), ("t.csv", 1), (None, None), (None, None)])
-        self.assertRegex(found["problems"][1]["text"], r"\Atime.dt_ms is 0, expected")
+        self.assertRegex(found["problems"][1]["text"], r"\Atime.dt_ms is 0; expected")
 
     def test_other_commands_name_the_first_and_how_many(self):
         self.file("s.toml", "title = 3\n[time]\ndt_ms = 0\n")
@@ -112,7 +112,7 @@ class AllAtOnce(TrunkTest):
                               (("--set", "activation.rise_s=1"), "--set activation.rise_s=1: the timing is taken from the trace"),
                               (("--prior", "k_muscle=1e9:2"), "k_muscle"),
                               (("--set", "paralysis.side=both"), "--set paralysis.side=both: k_muscle has no effect"),
-                              (("--set", "parameters.k_elasticity_N_per_m=100"), "k_elasticity starts a fit at 100 N/m, expected 400")):
+                              (("--set", "parameters.k_elasticity_N_per_m=100"), "k_elasticity starts a fit at 100 N/m; expected 400")):
             with self.subTest(options):
                 self.refused("check", HEALTHY, "--trace", "t.csv", *options, says=says)
         self.succeeds("check", HEALTHY, "--trace", "t.csv", "--free", "k_muscle", "--fix", "k_elasticity=4000")

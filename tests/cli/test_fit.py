@@ -88,7 +88,7 @@ class Fit(TrunkTest):
                               (("--fix", "k_elasticity=soft"), "k_elasticity=soft: expected name=value"),
                               (("--fix", "k_elasticity=-4000"), "expected 400 to 16000 N/m"),
                               (("--fix", "k_elasticity=@none.h5"), "none.h5: no such file"),
-                              (("--fix", "k_elasticity=@t.csv"), "t.csv: is not an HDF5 file, expected"),
+                              (("--fix", "k_elasticity=@t.csv"), "t.csv: is not an HDF5 file; expected"),
                               (("--fix", "k_muscle=3", "--fix", "k_elasticity=4000"), "no parameter is free"),
                               (("--fix", "k_muscle=3", "--free", "k_muscle"), "both free and fixed"),
                               (("--algorithm", "guess"), "'guess', expected bobyqa"),

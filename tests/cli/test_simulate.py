@@ -81,7 +81,7 @@ class Options(TrunkTest):
                               ("parameters.k_muscle_N_per_m", "key=value"),
                               ("paralysis.side=middle", "middle.*\"right\""),
                               ("tissue.ribs=perhaps", "perhaps.*true or false"),
-                              ("geometry.half_width_mm=0.16", "0.16, expected .*50 to 400")):
+                              ("geometry.half_width_mm=0.16", "0.16; expected .*50 to 400")):
             with self.subTest(setting):
                 self.refused("simulate", HEALTHY, "-o", "a.h5", "--set", setting, says=says)
 
@@ -90,7 +90,7 @@ class Options(TrunkTest):
         self.succeeds("simulate", HEALTHY, "-o", "b.h5", "--from", "a.h5", "--set", "time.dt_ms=3")
         self.assertEqual(self.succeeds("inspect", "b.h5")["parameters"]["k_muscle"]["value"], 47)
         self.refused("simulate", HEALTHY, "-o", "c.h5", "--from", "none.h5", says="none.h5: no such file")
-        self.refused("simulate", HEALTHY, "-o", "c.h5", "--from", HEALTHY, says="not an HDF5 file, expected")
+        self.refused("simulate", HEALTHY, "-o", "c.h5", "--from", HEALTHY, says="not an HDF5 file; expected")
 
     def test_set_wins_over_from(self):
         """What is typed on the command line is what is simulated."""

@@ -427,7 +427,7 @@ class Refusals(SweepTest):
         line = 6  # of the first line of the grid
         for grid, says in (('"parameters.k_muscle_N_per_m" = [10, "strong"]', f"s.toml:{line}: .*strong.*expected a"),
                            ('"parameters.k_muscle" = [10]', f"s.toml:{line}: .*k_muscle'.*_N_per_m"),
-                           ('"parameters.k_muscle_N_per_m" = [10, -20]', f"s.toml:{line}: .*-20, expected .* 0 to"),
+                           ('"parameters.k_muscle_N_per_m" = [10, -20]', f"s.toml:{line}: .*-20; expected .* 0 to"),
                            ('k_muscle = [10]', f"s.toml:{line}: .*full name"),
                            ('"time.dt_ms" = { from = 1, to = 2 }', f"s.toml:{line}: .*count"),
                            ('"time.dt_ms" = { from = 0, to = 2, count = 2, scale = "log" }', f"s.toml:{line}: .*log"),
