@@ -134,7 +134,7 @@ void FitJob::store(const FitOutcome& outcome, const std::string& argv) {
   Provenance provenance = provenance_of(inputs(), argv);
   provenance.seed = fit_->plan().estimation.search.seed;
   FitRecord record =
-      fit_record(fit_->file(), fit_->trunk(), fit_->space(), fit_->target(),
+      fit_record(fit_->file(), fit_->trunk(), fit_->space(), fit_->measured_curve(),
                  breath ? breath->sigma_m3 : std::vector<double>(), e, status_of(e), run, provenance);
   if (breath) {
     record.statistics.push_back({"breaths_used", "1", static_cast<double>(breath->breaths_used)});

@@ -17,7 +17,7 @@ struct ReplayRequest {
 };
 
 /// The measured curve beside which the best run of a fit is stored.
-Target measured_beside(const std::string& file) {
+MeasuredCurve measured_beside(const std::string& file) {
   if (kind_of(file) != "fit") return {};
   const FitRecord fit = read_fit(file);
   return {fit.measured_time_s, fit.measured_m3, {}};

@@ -19,7 +19,7 @@ Exit report_command(const Common& common, const ReportRequest& request) {
   const std::vector<std::filesystem::path> files(request.files.begin(), request.files.end());
   require_apart(files, {request.output});
   require_writable_output(request.output, common.force);
-  std::optional<SurfaceBeside> beside;
+  std::optional<ComparedSurface> beside;
   if (!request.beside.surface.empty()) {
     require_apart({request.beside.surface}, {request.output});
     if (files.size() > 1)

@@ -37,7 +37,7 @@ Json bound_json(const Judged& r) {
           {"pass", r.pass}};
 }
 
-Json validation_summary(const Findings& f, std::span<const Judged> results, bool valid,
+Json validation_summary(const ValidationRun& f, std::span<const Judged> results, bool valid,
                         const ValidateRequest& request) {
   Json json{{"schema", "trunk.validate/1"},   {"status", valid ? "valid" : "not_valid"},
             {"scenarios", request.scenarios}, {"table1", request.table1},
@@ -59,7 +59,7 @@ Json validation_summary(const Findings& f, std::span<const Judged> results, bool
 }
 
 /// Why numbers are missing, where a simulation did not end.
-std::string unfinished_text(const Findings& f) {
+std::string unfinished_text(const ValidationRun& f) {
   std::string text;
   for (const ValidatedScenario& scenario : validated_scenarios()) {
     const ValidatedBreath& breath = f.*scenario.breath;
@@ -71,13 +71,13 @@ std::string unfinished_text(const Findings& f) {
 Exit validate_command(const Common& common, ValidateRequest request) {
   if (request.scenarios.empty()) request.scenarios = shipped_file("scenarios", "--scenarios").string();
   if (request.table1.empty()) request.table1 = shipped_file("reference/table1.csv", "--table1").string();
-  const Findings findings =
-      find(request.table1, require_folder(request.scenarios),
-           [](std::string_view name) { print_progress(fmt::format("validate: {}", name)); });
-  const std::vector<Judged> results = judged(findings);
+  const ValidationRun run =
+      run_validation(request.table1, require_folder(request.scenarios),
+                     [](std::string_view name) { print_progress(fmt::format("validate: {}", name)); });
+  const std::vector<Judged> results = judged(run);
   const std::string failures = failures_text(results);
-  print_result(common, validation_summary(findings, results, failures.empty(), request),
-               validation_text(findings, results));
+  print_result(common, validation_summary(run, results, failures.empty(), request),
+               validation_text(run, results));
   if (failures.empty()) return Exit::done;
   print_note("trunk: " + failures + unfinished_text(findings));
   return Exit::not_converged;

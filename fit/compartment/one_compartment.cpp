@@ -13,24 +13,25 @@ namespace {
 constexpr double step_s = 2e-3;
 constexpr double slowest_rate = 0.05, fastest_rate = 50.0;  // 1/s
 
-/// V(t) for unit drive at the target's times, exact for a drive that is constant within a step.
-Eigen::VectorXd unit_response(double rate, const Target& target, const BreathActivation<double>& activation) {
-  const auto steps = static_cast<std::size_t>(std::ceil(target.time_s.back() / step_s)) + 1;
+/// V(t) for unit drive at the measured times, exact for a drive that is constant within a step.
+Eigen::VectorXd unit_response(double rate, const MeasuredCurve& curve,
+                              const BreathActivation<double>& activation) {
+  const auto steps = static_cast<std::size_t>(std::ceil(curve.time_s.back() / step_s)) + 1;
   const double decay = std::exp(-rate * step_s), gain = (1.0 - decay) / rate;
   std::vector<double> volume{0.0};
   for (std::size_t n = 0; n < steps; ++n)
     volume.push_back(decay * volume.back() + gain * activation((static_cast<double>(n) + 0.5) * step_s));
-  return sampled(volume, step_s, target.time_s);
+  return sampled(volume, step_s, curve.time_s);
 }
 
 struct Problem {
-  const Target& target;
+  const MeasuredCurve& curve;
   const BreathActivation<double> activation;
 
   OneCompartment at(double rate) const {
-    const Eigen::VectorXd unit = unit_response(rate, target, activation);
+    const Eigen::VectorXd unit = unit_response(rate, curve, activation);
     const Eigen::VectorXd measured =
-        Eigen::VectorXd::Map(target.delta_v.data(), static_cast<Eigen::Index>(target.delta_v.size()));
+        Eigen::VectorXd::Map(curve.delta_v.data(), static_cast<Eigen::Index>(curve.delta_v.size()));
     const double drive = unit.dot(measured) / std::max(unit.squaredNorm(), 1e-300);
     const Eigen::VectorXd residuals = drive * unit - measured;
     return {drive, rate, residuals.squaredNorm(), residuals};
@@ -54,9 +55,9 @@ double best_on_grid(Problem& problem, double low, double high, double spacing) {
 
 }  // namespace
 
-OneCompartment fit_one_compartment(const Target& target, const BreathActivation<double>& activation) {
+OneCompartment fit_one_compartment(const MeasuredCurve& curve, const BreathActivation<double>& activation) {
   const double low = std::log(slowest_rate), high = std::log(fastest_rate), spacing = 0.1;
-  Problem problem{target, activation};
+  Problem problem{curve, activation};
   double best = best_on_grid(problem, low, high, spacing);
   if (best > low + spacing && best < high - spacing) {
     gsl_function function{&residual_sum, &problem};
@@ -69,7 +70,7 @@ OneCompartment fit_one_compartment(const Target& target, const BreathActivation<
   return problem.at(std::exp(best));
 }
 
-BreathActivation<double> timed_by_one_compartment(const Target& target,
+BreathActivation<double> timed_by_one_compartment(const MeasuredCurve& curve,
                                                   const BreathActivation<double>& start) {
   const auto timed = [&](const Eigen::VectorXd& x) {
     BreathActivation<double> a = start;
@@ -81,10 +82,10 @@ BreathActivation<double> timed_by_one_compartment(const Target& target,
   const auto outcomes = [&](const std::vector<Eigen::VectorXd>& some) {
     std::vector<Outcome> all;
     for (const Eigen::VectorXd& x : some)
-      all.push_back({std::nullopt, Problem{target, timed(x)}.at(std::exp(x[3])).residual_sum});
+      all.push_back({std::nullopt, Problem{curve, timed(x)}.at(std::exp(x[3])).residual_sum});
     return all;
   };
-  const double shortest = std::log(0.02), longest = std::log(target.time_s.back());
+  const double shortest = std::log(0.02), longest = std::log(curve.time_s.back());
   const LeastSquares problem{outcomes, Eigen::Vector4d(shortest, shortest, shortest, std::log(slowest_rate)),
                              Eigen::Vector4d(longest, longest, longest, std::log(fastest_rate))};
   SearchOptions options;

@@ -15,12 +15,12 @@ struct OneCompartment {
 };
 
 /// Least squares over both numbers: the drive enters linearly, the rate is found by a golden section over
-/// 0.05 to 50 per second. `target` must be a curve.
-OneCompartment fit_one_compartment(const Target& target, const BreathActivation<double>& activation);
+/// 0.05 to 50 per second. `curve` must be a curve.
+OneCompartment fit_one_compartment(const MeasuredCurve& curve, const BreathActivation<double>& activation);
 
-/// The activation whose rise, fast and slow fall let a one-compartment model follow the target best, all
-/// three and the rate free, from `start`. The level after the fast fall stays. `target` must be a curve.
-BreathActivation<double> timed_by_one_compartment(const Target& target,
+/// The activation whose rise, fast and slow fall let a one-compartment model follow the curve best, all
+/// three and the rate free, from `start`. The level after the fast fall stays. `curve` must be a curve.
+BreathActivation<double> timed_by_one_compartment(const MeasuredCurve& curve,
                                                   const BreathActivation<double>& start);
 
 }  // namespace trunk

@@ -44,9 +44,10 @@ class Fitting {
     // Unless asked for by name: differences, side by side in lanes on all cores, take a third of the time.
     if (options.search.algorithm.empty()) problem_.exact_slopes = nullptr;
     if (options.search.algorithm.empty())
-      result.algorithm = space_.asked_for() > most_without_derivatives || objective.target().is_tidal_volume()
-                             ? "lm"
-                             : "bobyqa";
+      result.algorithm =
+          space_.asked_for() > most_without_derivatives || objective.measured_curve().is_tidal_volume()
+              ? "lm"
+              : "bobyqa";
     else
       result.algorithm = options.search.algorithm;
   }
@@ -57,7 +58,7 @@ class Fitting {
     finish();
     if (options_.loss == Loss::squares) return;
     const Eigen::VectorXd residuals = residuals_at(result_.search.best);
-    objective_.charge(options_.loss, std::max(median_deviation(residuals), 1e-9));
+    objective_.use_loss(options_.loss, std::max(median_deviation(residuals), 1e-9));
     result_.search.objective = problem_.at(result_.search.best).objective;
     finish();
   }
@@ -81,7 +82,7 @@ class Fitting {
   void search_from_starts() {
     SearchOptions options = options_.search;
     options.algorithm = result_.algorithm;
-    if (!objective_.target().is_tidal_volume())
+    if (!objective_.measured_curve().is_tidal_volume())
       options.coordinate_tolerance = std::max(coarse, options.coordinate_tolerance);
     const Indices asked_for = first_ones(space_.asked_for());
     std::vector<Eigen::VectorXd> starts = {space_.start()};
@@ -106,7 +107,7 @@ class Fitting {
       adopt(levenberg_marquardt(problem_, coarse_best, finisher()));
     }
     const Indices some = mechanical(space_);
-    if (!options_.cross_check || some.empty() || objective_.target().is_tidal_volume()) return;
+    if (!options_.cross_check || some.empty() || objective_.measured_curve().is_tidal_volume()) return;
     SearchOptions options = options_.search;
     options.algorithm = result_.algorithm == "lm" ? "bobyqa" : result_.algorithm;
     options.first_step = 0.05;
@@ -151,7 +152,7 @@ double seconds_for(std::size_t simulations, std::size_t particles, int steps) {
 
 /// A profile that stays low up to where it was looked at says what the interval of a linear model cannot.
 /// Under a robust loss it is too flat to say so.
-void heed(const std::vector<Profile>& profiles, Loss loss, Uncertainty& u) {
+void apply_profiles(const std::vector<Profile>& profiles, Loss loss, Uncertainty& u) {
   if (loss != Loss::squares || profiles.empty()) return;
   for (std::size_t i = 0; i < profiles.size(); ++i) {
     const Interval& range = profiles[i].interval95;
@@ -192,7 +193,7 @@ void add_uncertainty(Objective& objective, const EstimationOptions& options, std
   const int points = 4;
   if (options.profiles && affordable(space.asked_for() * 3 * (2 * points), "profiles", "--profiles"))
     e.profiles = profiles(objective, *e.local, points);
-  heed(e.profiles, options.loss, *e.uncertainty);
+  apply_profiles(e.profiles, options.loss, *e.uncertainty);
   const auto side = static_cast<std::size_t>(options.surface_points);
   if (side > 0 && space.asked_for() == 2 && affordable(side * side, "likelihood surface", "--surface"))
     e.surface = likelihood_surface(objective, *e.local, options.surface_points);
@@ -202,15 +203,16 @@ void add_uncertainty(Objective& objective, const EstimationOptions& options, std
 
 }  // namespace
 
-Estimation estimate(const Trunk& trunk, const TimeGrid& grid, const SearchSpace& space, const Target& target,
-                    const EstimationOptions& options, Ledger& ledger, std::size_t timed) {
-  Objective objective(trunk, grid, space, target, ledger, options.execution);
+Estimation estimate(const Trunk& trunk, const TimeGrid& grid, const SearchSpace& space,
+                    const MeasuredCurve& measured, const EstimationOptions& options, Ledger& ledger,
+                    std::size_t timed) {
+  Objective objective(trunk, grid, space, measured, ledger, options.execution);
   Estimation e;
   Fitting(objective, options, e).run();
   if (const auto model = objective.model(e.search.best)) {
     e.best = space.decode(e.search.best);
     e.model = *model;
-    e.quality = quality_of(target, e.model, space.size(), space.decode(space.start()).activation, timed);
+    e.quality = quality_of(measured, e.model, space.size(), space.decode(space.start()).activation, timed);
     if (e.search.converged) add_uncertainty(objective, options, trunk.model.particles(), grid, e);
     if (e.uncertainty) e.uncertainty->verdict += caveat(e.quality, e.uncertainty->residual_autocorrelation);
   }

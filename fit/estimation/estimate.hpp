@@ -24,7 +24,7 @@ struct EstimationOptions {
 };
 
 /// One local search, and where it ended.
-struct Start {
+struct LocalSearch {
   Eigen::VectorXd from, to;
   double objective = 0.0;
   bool converged = false;
@@ -42,7 +42,7 @@ struct CrossCheck {
 struct Estimation {
   SearchResult search;
   std::string algorithm;  // of the first search
-  std::vector<Start> starts;
+  std::vector<LocalSearch> starts;
   std::optional<CrossCheck> cross_check;
   std::optional<Uncertainty> uncertainty;  // none where the search found nothing to stand on
   std::optional<LocalFit> local;
@@ -51,19 +51,20 @@ struct Estimation {
   std::optional<Bootstrap> bootstrap;
   std::vector<std::string> notes;  // what was left out, and why
   Candidate best;
-  Eigen::VectorXd model;  // at the target's samples, m3; empty where no simulation completed
+  Eigen::VectorXd model;  // at the measured samples, m3; empty where no simulation completed
   Quality quality;
   std::vector<Evaluation> evaluations;
   int failures = 0;
   std::size_t simulated = 0;  // of the evaluations, not counting what the ledger knew
 };
 
-/// Fits the parameters of `space` to `target`: starts at the measured tidal volume, local searches over what
-/// was asked for, Levenberg-Marquardt over everything from the best, a second search without derivatives as a
-/// check, then uncertainty. The space's start holds the activation given to the fit; `timed` numbers of it
-/// were taken from the trace. Throws InputError on a target or space that make no sense, Cancelled where told
-/// to stop; a search that fails is reported in the result.
-Estimation estimate(const Trunk& trunk, const TimeGrid& grid, const SearchSpace& space, const Target& target,
-                    const EstimationOptions& options, Ledger& ledger, std::size_t timed = 0);
+/// Fits the parameters of `space` to `measured`: starts at the measured tidal volume, local searches over
+/// what was asked for, Levenberg-Marquardt over everything from the best, a second search without derivatives
+/// as a check, then uncertainty. The space's start holds the activation given to the fit; `timed` numbers of
+/// it were taken from the trace. Throws InputError on a measured or space that make no sense, Cancelled where
+/// told to stop; a search that fails is reported in the result.
+Estimation estimate(const Trunk& trunk, const TimeGrid& grid, const SearchSpace& space,
+                    const MeasuredCurve& measured, const EstimationOptions& options, Ledger& ledger,
+                    std::size_t timed = 0);
 
 }  // namespace trunk

@@ -10,23 +10,23 @@
 
 namespace trunk {
 
-Quality quality_of(const Target& target, const Eigen::VectorXd& model, std::size_t parameters,
+Quality quality_of(const MeasuredCurve& curve, const Eigen::VectorXd& model, std::size_t parameters,
                    const BreathActivation<double>& given, std::size_t timed) {
   Quality q;
-  const Eigen::VectorXd measured = Eigen::VectorXd::Map(target.delta_v.data(), model.size());
-  q.tidal_volume_m3 = target.tidal_volume();
+  const Eigen::VectorXd measured = Eigen::VectorXd::Map(curve.delta_v.data(), model.size());
+  q.tidal_volume_m3 = curve.tidal_volume();
   const auto normalised = [&](const Eigen::VectorXd& residuals) {
     return std::sqrt(residuals.squaredNorm() / static_cast<double>(residuals.size())) / q.tidal_volume_m3;
   };
   q.nrmse = normalised(model - measured);
   q.tidal_volume_error_m3 = model.maxCoeff() - q.tidal_volume_m3;
-  if (target.is_tidal_volume()) return q;
+  if (curve.is_tidal_volume()) return q;
   Eigen::Index model_peak = 0, measured_peak = 0;
   model.maxCoeff(&model_peak);
   measured.maxCoeff(&measured_peak);
-  q.peak_time_error_s = target.time_s[static_cast<std::size_t>(model_peak)] -
-                        target.time_s[static_cast<std::size_t>(measured_peak)];
-  const OneCompartment baseline = fit_one_compartment(target, given);
+  q.peak_time_error_s = curve.time_s[static_cast<std::size_t>(model_peak)] -
+                        curve.time_s[static_cast<std::size_t>(measured_peak)];
+  const OneCompartment baseline = fit_one_compartment(curve, given);
   q.baseline_nrmse = normalised(baseline.residuals);
   q.baseline = measured + baseline.residuals;
   q.bic = ar1_bic((model - measured) / q.tidal_volume_m3, parameters);

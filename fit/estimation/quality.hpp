@@ -16,9 +16,9 @@ struct Quality {
   Eigen::VectorXd baseline;  // [samples] m3, the one-compartment model; empty without a curve
 };
 
-/// `model` at the target's samples, m3, from a fit of `parameters` numbers. The one-compartment model has the
+/// `model` at the measured samples, m3, from a fit of `parameters` numbers. The one-compartment model has the
 /// activation `given` to the fit, of which `timed` numbers were taken from the trace.
-Quality quality_of(const Target& target, const Eigen::VectorXd& model, std::size_t parameters,
+Quality quality_of(const MeasuredCurve& curve, const Eigen::VectorXd& model, std::size_t parameters,
                    const BreathActivation<double>& given, std::size_t timed);
 
 /// A sentence where the model misses the breath however narrow its intervals; else "".

@@ -7,7 +7,7 @@
 
 namespace trunk {
 
-Target target_of(const MeasuredBreath& breath, bool weighted) {
+MeasuredCurve measured_curve_of(const MeasuredBreath& breath, bool weighted) {
   return {breath.time_s, breath.volume_m3, weighted ? breath.sigma_m3 : std::vector<double>()};
 }
 
@@ -24,7 +24,7 @@ void adopt_timing(const MeasuredBreath& breath, Scenario& scenario) {
   a.rise_s = std::max(shortest_s, breath.time_s[peak]);
   a.fast_fall_s = std::max(shortest_s, breath.time_s[fallen] - breath.time_s[peak]);
   a.slow_fall_s = std::max(shortest_s, breath.duration_s - breath.time_s[fallen]);
-  a = timed_by_one_compartment(target_of(breath), a);
+  a = timed_by_one_compartment(measured_curve_of(breath), a);
   for (const FreeParameter& p : free_parameters()) {  // a fit begins inside its bounds
     if (p.group != FreeParameter::Group::timing) continue;
     Candidate c{scenario.parameters, a};
@@ -36,7 +36,7 @@ void adopt_timing(const MeasuredBreath& breath, Scenario& scenario) {
 Eigen::VectorXd start_at_tidal_volume(Objective& objective, const Eigen::VectorXd& start) {
   const SearchSpace& space = objective.space();
   const auto muscle = space.find("k_muscle");
-  const double measured = objective.target().tidal_volume();
+  const double measured = objective.measured_curve().tidal_volume();
   if (!muscle || measured <= 0.0) return start;
   const auto ratio = static_cast<Eigen::Index>(*muscle);
   const double lowest = space.lower()[ratio], highest = space.upper()[ratio];

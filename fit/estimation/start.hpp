@@ -6,8 +6,8 @@
 
 namespace trunk {
 
-/// The target a measured breath makes. `weighted`: by the breath's own deviation of each sample.
-Target target_of(const MeasuredBreath& breath, bool weighted = false);
+/// The measured a measured breath makes. `weighted`: by the breath's own deviation of each sample.
+MeasuredCurve measured_curve_of(const MeasuredBreath& breath, bool weighted = false);
 
 /// Times the scenario's activation after a measured breath (our choice; the paper's 2 s, 0.5 s, 2 s are one
 /// subject's). The volume lags behind the muscle, so its own peak and fall are only the start: rise and falls

@@ -14,7 +14,7 @@ struct LedgerEntry {
   std::int32_t status = 0;     // Ending::Status
   double lasted_s = 0.0;       // how far the simulation came
   double wall_s = 0.0;         // time it took
-  std::vector<double> values;  // m3, the model at the target's samples; empty where it failed
+  std::vector<double> values;  // m3, the model at the measured samples; empty where it failed
 };
 
 /// Every simulation of a fit, by the bytes of what was simulated. Kept in memory, and on disk where a file is

@@ -23,18 +23,20 @@ std::string ledger_key(const Candidate& c) {
   return bytes;
 }
 
-Objective::Objective(const Trunk& trunk, const TimeGrid& grid, const SearchSpace& space, const Target& target,
-                     Ledger& ledger, const Execution& execution)
-    : trunk_(trunk), grid_(grid), space_(space), target_(target), ledger_(ledger), execution_(execution) {
-  if (!target.is_tidal_volume() && (target.time_s.empty() || target.time_s.size() != target.delta_v.size()))
+Objective::Objective(const Trunk& trunk, const TimeGrid& grid, const SearchSpace& space,
+                     const MeasuredCurve& measured, Ledger& ledger, const Execution& execution)
+    : trunk_(trunk), grid_(grid), space_(space), curve_(measured), ledger_(ledger), execution_(execution) {
+  if (!measured.is_tidal_volume() &&
+      (measured.time_s.empty() || measured.time_s.size() != measured.delta_v.size()))
     throw InputError("the measured curve has no samples");
-  if (!target.time_s.empty() && target.time_s.back() > grid.duration_s + grid.dt_s)
+  if (!measured.time_s.empty() && measured.time_s.back() > grid.duration_s + grid.dt_s)
     throw InputError(
         fmt::format("the measured curve lasts {:.3f} s, the simulation {:.3f} s; expected the "
                     "simulation to cover it",
-                    target.time_s.back(), grid.duration_s));
-  measured_ = Eigen::VectorXd::Map(target.delta_v.data(), static_cast<Eigen::Index>(target.delta_v.size()));
-  deviation_ = sample_deviation(target);
+                    measured.time_s.back(), grid.duration_s));
+  measured_ =
+      Eigen::VectorXd::Map(measured.delta_v.data(), static_cast<Eigen::Index>(measured.delta_v.size()));
+  deviation_ = sample_deviation(measured);
 }
 
 LeastSquares Objective::problem() {
@@ -42,7 +44,7 @@ LeastSquares Objective::problem() {
           space_.upper(), [this](const Eigen::VectorXd& x) { return slopes(x); }};
 }
 
-void Objective::charge(Loss loss, double scale) {
+void Objective::use_loss(Loss loss, double scale) {
   loss_ = loss;
   loss_scale_ = scale;
 }
@@ -62,7 +64,7 @@ std::vector<LedgerEntry> Objective::simulate(const std::vector<Candidate>& candi
     if (again) curve = simulate_volumes(trunk_, {&candidates[entries.size()], 1}, *again).front();
     entries.push_back({static_cast<std::int32_t>(curve.ending.status), curve.ending.time_s, 0.0, {}});
     if (!curve.ending.completed()) continue;
-    const Eigen::VectorXd model = as_target_sees(target_, curve.delta_v, again.value_or(grid_).dt_s);
+    const Eigen::VectorXd model = as_measured(curve_, curve.delta_v, again.value_or(grid_).dt_s);
     entries.back().values.assign(model.data(), model.data() + model.size());
   }
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
@@ -70,7 +72,7 @@ std::vector<LedgerEntry> Objective::simulate(const std::vector<Candidate>& candi
   return entries;
 }
 
-/// The model at the target's samples along each coordinate, one after the other.
+/// The model at the measured samples along each coordinate, one after the other.
 LedgerEntry Objective::simulate_slopes(const Eigen::VectorXd& x, const Candidate& candidate) const {
   const auto start = std::chrono::steady_clock::now();
   TimeGrid grid = grid_;
@@ -83,7 +85,7 @@ LedgerEntry Objective::simulate_slopes(const Eigen::VectorXd& x, const Candidate
   LedgerEntry entry{static_cast<std::int32_t>(curve.ending.status), curve.ending.time_s, 0.0, {}};
   if (curve.ending.completed())
     for (const std::vector<double>& derivative : along) {
-      const Eigen::VectorXd seen = as_target_sees(target_, curve.delta_v, derivative, grid.dt_s);
+      const Eigen::VectorXd seen = as_measured(curve_, curve.delta_v, derivative, grid.dt_s);
       entry.values.insert(entry.values.end(), seen.data(), seen.data() + seen.size());
     }
   entry.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -152,7 +154,8 @@ Outcome Objective::judged(const Eigen::VectorXd& x, const LedgerEntry& entry) co
     return {std::nullopt, 100.0 * energy * (2.0 - lasted)};
   }
   const Eigen::VectorXd model = Eigen::VectorXd::Map(entry.values.data(), samples());
-  const Eigen::VectorXd curve = charged((model - measured_).cwiseQuotient(deviation_), loss_, loss_scale_);
+  const Eigen::VectorXd curve =
+      robust_residuals((model - measured_).cwiseQuotient(deviation_), loss_, loss_scale_);
   const Eigen::VectorXd known = space_.prior_residuals(x);
   Eigen::VectorXd all(curve.size() + known.size());
   all << curve, known;
@@ -189,7 +192,7 @@ Slopes Objective::slopes(const Eigen::VectorXd& x) {
 
   const Eigen::VectorXd known = space_.prior_residuals(x);
   const Eigen::VectorXd deviations = (*model(x) - measured_).cwiseQuotient(deviation_);
-  const Eigen::VectorXd weight = charge_slopes(deviations, loss_, loss_scale_).cwiseQuotient(deviation_);
+  const Eigen::VectorXd weight = robust_slopes(deviations, loss_, loss_scale_).cwiseQuotient(deviation_);
   Eigen::MatrixXd all(samples() + known.size(), coordinates);
   all.topRows(samples()) =
       weight.asDiagonal() * Eigen::MatrixXd::Map(entry.values.data(), samples(), coordinates);

@@ -6,8 +6,8 @@
 
 #include "anatomy/breath_run.hpp"
 #include "ledger/ledger.hpp"
+#include "problem/measured_curve.hpp"
 #include "problem/search_space.hpp"
-#include "problem/target.hpp"
 #include "search/least_squares.hpp"
 
 namespace trunk {
@@ -33,8 +33,8 @@ struct Execution {
 /// known beforehand.
 class Objective {
  public:
-  /// All must outlive the objective. Throws InputError where the target is empty or longer than the grid.
-  Objective(const Trunk& trunk, const TimeGrid& grid, const SearchSpace& space, const Target& target,
+  /// All must outlive the objective. Throws InputError where the measured is empty or longer than the grid.
+  Objective(const Trunk& trunk, const TimeGrid& grid, const SearchSpace& space, const MeasuredCurve& measured,
             Ledger& ledger, const Execution& execution = {});
 
   /// Throws Cancelled where the execution is told to stop. Where the simulation failed, the objective is a
@@ -42,17 +42,17 @@ class Objective {
   /// success.
   LeastSquares problem();
 
-  /// The model at the target's samples, m3; none where the simulation failed.
+  /// The model at the measured samples, m3; none where the simulation failed.
   std::optional<Eigen::VectorXd> model(const Eigen::VectorXd& x);
   /// The same for several, side by side.
   std::vector<std::optional<Eigen::VectorXd>> models(const std::vector<Eigen::VectorXd>& some);
 
-  void charge(Loss loss, double scale);
+  void use_loss(Loss loss, double scale);
 
   Eigen::Index samples() const noexcept { return measured_.size(); }
   const Eigen::VectorXd& measured() const noexcept { return measured_; }    // m3
   const Eigen::VectorXd& deviation() const noexcept { return deviation_; }  // m3
-  const Target& target() const noexcept { return target_; }
+  const MeasuredCurve& measured_curve() const noexcept { return curve_; }
   const SearchSpace& space() const noexcept { return space_; }
 
   const std::vector<Evaluation>& evaluations() const noexcept { return evaluations_; }
@@ -72,7 +72,7 @@ class Objective {
   const Trunk& trunk_;
   const TimeGrid& grid_;
   const SearchSpace& space_;
-  const Target& target_;
+  const MeasuredCurve& curve_;
   Ledger& ledger_;
   Execution execution_;
   Eigen::VectorXd measured_, deviation_;

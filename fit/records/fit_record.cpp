@@ -89,7 +89,7 @@ void add_evaluations(const SearchSpace& space, const Estimation& e, FitRecord& f
 }
 
 void add_likelihood(const SearchSpace& space, const Estimation& e, FitRecord& fit) {
-  for (const Start& s : e.starts)
+  for (const LocalSearch& s : e.starts)
     fit.starts.push_back({natural_values(space, space.decode(s.from)),
                           natural_values(space, space.decode(s.to)), s.objective, s.converged});
   for (const Profile& p : e.profiles)
@@ -130,7 +130,7 @@ void add_bootstrap(const SearchSpace& space, const Bootstrap& b, FitRecord& fit)
 }  // namespace
 
 FitRecord fit_record(const ScenarioFile& file, const Trunk& trunk, const SearchSpace& space,
-                     const Target& target, const std::vector<double>& sigma_m3, const Estimation& e,
+                     const MeasuredCurve& measured, const std::vector<double>& sigma_m3, const Estimation& e,
                      const std::string& status, const BreathRun& run, const Provenance& provenance) {
   FitRecord fit;
   fit.title = file.scenario.title;
@@ -149,10 +149,10 @@ FitRecord fit_record(const ScenarioFile& file, const Trunk& trunk, const SearchS
     for (Eigen::Index i = 0; i < c.rows(); ++i)
       for (Eigen::Index j = 0; j < c.cols(); ++j) fit.covariance.push_back(c(i, j));
   }
-  fit.measured_time_s = target.time_s;
-  fit.measured_m3 = target.delta_v;
+  fit.measured_time_s = measured.time_s;
+  fit.measured_m3 = measured.delta_v;
   fit.sigma_m3 = sigma_m3;
-  if (target.is_tidal_volume()) {
+  if (measured.is_tidal_volume()) {
     fit.measured_time_s = {run.time_s[static_cast<std::size_t>(
         std::max_element(run.delta_v.begin(), run.delta_v.end()) - run.delta_v.begin())]};
     fit.sigma_m3 = {};
@@ -160,7 +160,7 @@ FitRecord fit_record(const ScenarioFile& file, const Trunk& trunk, const SearchS
   fit.result_time_s = fit.measured_time_s;
   fit.dV_fit_m3.assign(e.model.data(), e.model.data() + e.model.size());
   for (std::size_t i = 0; i < fit.dV_fit_m3.size(); ++i)
-    fit.residual_m3.push_back(fit.dV_fit_m3[i] - target.delta_v[i]);
+    fit.residual_m3.push_back(fit.dV_fit_m3[i] - measured.delta_v[i]);
   fit.dV_baseline_m3.assign(e.quality.baseline.data(), e.quality.baseline.data() + e.quality.baseline.size());
   fit.statistics = statistics_of(e);
   if (e.bootstrap) add_bootstrap(space, *e.bootstrap, fit);
@@ -172,7 +172,7 @@ FitRecord fit_record(const ScenarioFile& file, const Trunk& trunk, const SearchS
   ScenarioFile best = file;
   best.scenario.parameters = e.best.parameters;
   best.scenario.activation = e.best.activation;
-  fit.best_run = run_record(best, trunk, run, target, provenance);
+  fit.best_run = run_record(best, trunk, run, measured, provenance);
   return fit;
 }
 

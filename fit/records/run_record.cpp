@@ -61,7 +61,7 @@ Steps curve_steps(const BreathRun& run, const Scenario& scenario) {
   return steps;
 }
 
-void add_curves(const BreathRun& run, const Steps& steps, const Target& measured, RunRecord& r) {
+void add_curves(const BreathRun& run, const Steps& steps, const MeasuredCurve& measured, RunRecord& r) {
   r.curve_time_s = at_steps(steps, run.time_s, 1.0);
   r.curves = own_series(run, steps, "dV_model");
   if (measured.time_s.size() <= 1) return;
@@ -153,7 +153,7 @@ std::string status_word(Ending::Status status) {
 }
 
 RunRecord run_record(const ScenarioFile& file, const Trunk& trunk, const BreathRun& run,
-                     const Target& measured, const Provenance& provenance) {
+                     const MeasuredCurve& measured, const Provenance& provenance) {
   RunRecord r;
   r.title = file.scenario.title;
   r.status = status_word(run.ending.status);

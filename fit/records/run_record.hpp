@@ -22,7 +22,7 @@ std::string status_word(Ending::Status status);
 
 /// `measured` is empty or has the curve a fit was held against, sampled at the run's times.
 RunRecord run_record(const ScenarioFile& file, const Trunk& trunk, const BreathRun& run,
-                     const Target& measured, const Provenance& provenance);
+                     const MeasuredCurve& measured, const Provenance& provenance);
 
 /// The scenario in full, so that it can be run again, with the text the user gave as comments at its end.
 std::string scenario_text(const ScenarioFile& file);

@@ -42,7 +42,7 @@ void require_side_by_side(const Packed::Json& files) {
 }  // namespace
 
 std::string report_page(const std::vector<std::filesystem::path>& files,
-                        const std::optional<SurfaceBeside>& beside) {
+                        const std::optional<ComparedSurface>& beside) {
   Packed packed;
   Packed::Json contents = Packed::Json::array();
   for (const auto& file : files)

@@ -13,6 +13,6 @@ namespace trunk {
 /// as texts only. The same files give the same bytes. Throws InputError as reading the files does, and where
 /// two files cannot stand side by side. A measured surface goes with the first file, a run or fit alone.
 std::string report_page(const std::vector<std::filesystem::path>& files,
-                        const std::optional<SurfaceBeside>& beside = {});
+                        const std::optional<ComparedSurface>& beside = {});
 
 }  // namespace trunk

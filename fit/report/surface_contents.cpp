@@ -21,7 +21,7 @@ Packed::Json distance_row(const char* name, const Distances& d) {
 
 }  // namespace
 
-Packed::Json surface_contents(const SurfaceBeside& beside, std::size_t particles, Packed& packed) {
+Packed::Json surface_contents(const ComparedSurface& beside, std::size_t particles, Packed& packed) {
   const MeasuredSurface shown = thinned(beside.surface, most_shown);
   std::vector<double> points_mm, side_mm(particles, std::nan(""));
   for (const Vec3d& p : shown.points) points_mm.insert(points_mm.end(), {mm * p.x(), mm * p.y(), mm * p.z()});

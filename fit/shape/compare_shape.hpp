@@ -23,7 +23,7 @@ struct ShapeComparison {
 ShapeComparison compare_shape(const RunRegion& region, MeasuredSurface& surface, bool align);
 
 /// A surface where it was compared, what it was compared with, and the outcome.
-struct SurfaceBeside {
+struct ComparedSurface {
   MeasuredSurface surface;
   RunRegion region;
   ShapeComparison comparison;

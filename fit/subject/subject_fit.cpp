@@ -73,7 +73,7 @@ SubjectFit::SubjectFit(ScenarioFile file, Measurement measurement, FitPlan plan)
   std::vector<std::string> beside;
   if (measurement_.breath) {
     const MeasuredBreath& breath = *measurement_.breath;
-    target_ = target_of(breath, plan_.weighted);
+    measured_curve_ = measured_curve_of(breath, plan_.weighted);
     file_.scenario.time.duration_s = breath.duration_s;
     if (plan_.timing != Timing::scenario) {
       adopt_timing(breath, file_.scenario);
@@ -81,7 +81,7 @@ SubjectFit::SubjectFit(ScenarioFile file, Measurement measurement, FitPlan plan)
     }
     if (plan_.timing == Timing::joint) beside = timing_names();
   } else {
-    target_ = {{}, {measurement_.tidal_volume_m3}, {}};
+    measured_curve_ = {{}, {measurement_.tidal_volume_m3}, {}};
     plan_.timing = Timing::scenario;
   }
   std::vector<std::string> fixed;
@@ -96,12 +96,13 @@ SubjectFit::SubjectFit(ScenarioFile file, Measurement measurement, FitPlan plan)
 std::string SubjectFit::problem_text() const {
   std::string text = version_text() + to_toml(file_.scenario);
   if (file_.scenario.mesh) text += trunk_pml(file_.scenario);
-  for (const double t : target_.time_s) text += fmt::format("{},", t);
+  for (const double t : measured_curve_.time_s) text += fmt::format("{},", t);
   return text;
 }
 
 Estimation SubjectFit::carry_out(Ledger& ledger) const {
-  Estimation e = estimate(trunk_, file_.scenario.time, *space_, target_, plan_.estimation, ledger, timed_);
+  Estimation e =
+      estimate(trunk_, file_.scenario.time, *space_, measured_curve_, plan_.estimation, ledger, timed_);
   if (!file_.scenario.step_choice || e.model.size() == 0) return e;
   const TimeGrid& grid = file_.scenario.time;
   const double error = time_step_error(trunk_.model, e.best.parameters, e.best.activation, grid);

@@ -45,7 +45,7 @@ class SubjectFit {
   const ScenarioFile& file() const noexcept { return file_; }
   const Measurement& measurement() const noexcept { return measurement_; }
   const FitPlan& plan() const noexcept { return plan_; }
-  const Target& target() const noexcept { return target_; }
+  const MeasuredCurve& measured_curve() const noexcept { return measured_curve_; }
   const SearchSpace& space() const noexcept { return *space_; }
   const Trunk& trunk() const noexcept { return trunk_; }
 
@@ -53,7 +53,7 @@ class SubjectFit {
   ScenarioFile file_;
   Measurement measurement_;
   FitPlan plan_;
-  Target target_;
+  MeasuredCurve measured_curve_;
   std::unique_ptr<const SearchSpace> space_;
   Trunk trunk_;
   std::size_t timed_ = 0;

@@ -22,16 +22,17 @@ const Compared dv{"dv", "dV", &Table1Row::dv_ml}, dl{"dl", "dL", &Table1Row::dl_
     dh{"dh", "dH", &Table1Row::dh_mm}, dr{"dr", "dR", &Table1Row::dr_mm},
     eev{"eev", "EEV", &Table1Row::eev_ml};
 
-double distance(const Table1Row& row, const Compared& column, const Findings& f) {
+double distance(const Table1Row& row, const Compared& column, const ValidationRun& f) {
   return row.*column.value - f.paper.experiment.*column.value;
 }
 
 /// A scenario that breathes as the experiment did.
 struct Simulated {
   std::string name;
-  ValidatedBreath Findings::*breath;
+  ValidatedBreath ValidationRun::*breath;
 };
-const Simulated healthy{"healthy", &Findings::healthy}, craighero{"craighero", &Findings::craighero};
+const Simulated healthy{"healthy", &ValidationRun::healthy},
+    craighero{"craighero", &ValidationRun::craighero};
 
 Bound error_bound(const Simulated& ours, const Compared& column, double percent) {
   return {ours.name + "." + column.csv + "_error",
@@ -39,7 +40,7 @@ Bound error_bound(const Simulated& ours, const Compared& column, double percent)
           "percent",
           -percent,
           percent,
-          [=](const Findings& f) {
+          [=](const ValidationRun& f) {
             return 100.0 * distance((f.*ours.breath).row, column, f) / (f.paper.experiment.*column.value);
           }};
 }
@@ -50,7 +51,7 @@ Bound difference_bound(const Simulated& ours, const Compared& column, double mm)
           "mm",
           -mm,
           mm,
-          [=](const Findings& f) { return distance((f.*ours.breath).row, column, f); }};
+          [=](const ValidationRun& f) { return distance((f.*ours.breath).row, column, f); }};
 }
 
 /// Our distance to the experiment over the published model's.
@@ -61,7 +62,7 @@ Bound nearness_bound(const Compared& column) {
       "1",
       -infinite,
       1.0,
-      [=](const Findings& f) {
+      [=](const ValidationRun& f) {
         return std::abs(distance(f.healthy.row, column, f) / distance(f.paper.published_model, column, f));
       },
       open};
@@ -70,10 +71,10 @@ Bound nearness_bound(const Compared& column) {
 std::vector<Bound> paralysis_bounds(const ParalysedPair& pair) {
   const std::string name(pair.name);
   const auto dome = [pair](double ValidatedBreath::*which) {
-    return [=](const Findings& f) { return (f.*pair.breath).*which; };
+    return [=](const ValidationRun& f) { return (f.*pair.breath).*which; };
   };
   return {{name + ".dv", name + ": dV of the healthy twin's", "percent", 40.0, 60.0,
-           [=](const Findings& f) { return pair.volume_percent(f); }},
+           [=](const ValidationRun& f) { return pair.volume_percent(f); }},
           {name + ".paralysed_dome", name + ": its dome descends", "mm", -infinite, -1.0,
            dome(pair.paralysed_dome)},
           {name + ".healthy_dome", name + ": the other descends", "mm", 0.0, infinite,
@@ -88,7 +89,7 @@ double largest(std::initializer_list<double> values) {
 }
 
 /// Between left and right paralysis: of dV and dL by themselves, of both domes by the healthy one's descent.
-double mirror_difference_percent(const Findings& f) {
+double mirror_difference_percent(const ValidationRun& f) {
   const ValidatedBreath &right = f.hemiparalysis_right, &left = f.hemiparalysis_left;
   const double descent = right.left_dome_mm;
   return 100.0 * largest({std::abs(left.row.dv_ml / right.row.dv_ml - 1.0),
@@ -97,7 +98,7 @@ double mirror_difference_percent(const Findings& f) {
                           std::abs((left.left_dome_mm - right.right_dome_mm) / descent)});
 }
 
-double worst_volume_error(const Findings& f) {
+double worst_volume_error(const ValidationRun& f) {
   double worst = 0.0;
   for (const ValidatedScenario& scenario : validated_scenarios())
     worst = largest({worst, (f.*scenario.breath).volume_error});
@@ -137,7 +138,7 @@ std::vector<Bound> bounds() {
   return all;
 }
 
-std::vector<Judged> judged(const Findings& findings) {
+std::vector<Judged> judged(const ValidationRun& findings) {
   std::vector<Judged> results;
   for (Bound& bound : bounds()) {
     const double value = bound.value(findings);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "validation/findings.hpp"
+#include "validation/validation_run.hpp"
 
 namespace trunk {
 
@@ -10,7 +10,7 @@ struct Bound {
   std::string meaning;  // for people
   std::string unit;
   double low, high;  // infinite where there is no limit
-  std::function<double(const Findings&)> value;
+  std::function<double(const ValidationRun&)> value;
   bool open = false;  // the limits themselves are outside
 
   bool holds(double value) const;
@@ -27,7 +27,7 @@ struct Judged {
   double value;
   bool pass;
 };
-std::vector<Judged> judged(const Findings& findings);
+std::vector<Judged> judged(const ValidationRun& findings);
 
 /// "-1 to 1", "at most -1", "above 0", "below 1".
 std::string limits_text(const Bound& bound);

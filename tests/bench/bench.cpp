@@ -107,11 +107,11 @@ Case batch(const Subject& s, const TimeGrid& grid) {
 /// k_elasticity and k_muscle of a breath made by the simulator itself, from a start off by 40 and 30 %, by
 /// the default search.
 Case fit(const Subject& s, const TimeGrid& grid) {
-  Target target;
+  MeasuredCurve measured;
   const VolumeCurve truth = breath_on(s, {0.5e-3, grid.duration_s});
-  for (int i = 0; i <= 150; ++i) target.time_s.push_back(grid.duration_s * i / 150);
-  const Eigen::VectorXd seen = sampled(truth.delta_v, 0.5e-3, target.time_s);
-  target.delta_v.assign(seen.data(), seen.data() + seen.size());
+  for (int i = 0; i <= 150; ++i) measured.time_s.push_back(grid.duration_s * i / 150);
+  const Eigen::VectorXd seen = sampled(truth.delta_v, 0.5e-3, measured.time_s);
+  measured.delta_v.assign(seen.data(), seen.data() + seen.size());
   Candidate start{s.scenario.parameters, s.scenario.activation};
   start.parameters.elasticity *= 1.4;
   start.parameters.muscle *= 0.7;
@@ -123,7 +123,7 @@ Case fit(const Subject& s, const TimeGrid& grid) {
   return {[=] {
             Ledger ledger;
             const SearchSpace space({"k_elasticity", "k_muscle"}, start);
-            *result = estimate(s.trunk, grid, space, target, options, ledger);
+            *result = estimate(s.trunk, grid, space, measured, options, ledger);
           },
           [=] {
             return fmt::format(

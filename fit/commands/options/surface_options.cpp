@@ -32,7 +32,7 @@ CLI::Option* add_surface_request(CLI::App& command, SurfaceRequest& request) {
 SurfaceAnswer compared(const SurfaceRequest& request, const std::string& run_file) {
   SurfaceAnswer answer{read_surface(request.surface, request.options), {}};
   const RunRecord run = read_run(run_file);
-  SurfaceBeside& beside = answer.beside;
+  ComparedSurface& beside = answer.beside;
   beside.surface = std::move(answer.file.surface);
   beside.region =
       region_at(request.region, moment_of(request.at, run.trajectory, run_file), run.trajectory, run_file);

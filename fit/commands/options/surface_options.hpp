@@ -22,7 +22,7 @@ CLI::Option* add_surface_request(CLI::App& command, SurfaceRequest& request);
 
 struct SurfaceAnswer {
   ImportedSurface file;  // without its surface, which is in `beside`
-  SurfaceBeside beside;
+  ComparedSurface beside;
 };
 
 /// Reads the surface, says its notes, and compares. Throws InputError.

@@ -21,7 +21,7 @@ std::string cell(double value, int decimals, bool with_sign) {
   return with_sign ? fmt::format(" {:>+8.{}f}", value, decimals) : fmt::format(" {:>8.{}f}", value, decimals);
 }
 
-std::string table1_text(const Findings& f) {
+std::string table1_text(const ValidationRun& f) {
   std::string text = fmt::format("{:<24}", "Quiet breathing");
   for (const Table1Column& column : table1_columns()) text += fmt::format(" {:>8}", column.title);
   const std::vector<Table1Source> rows = table1_rows(f);
@@ -41,7 +41,7 @@ std::string table1_text(const Findings& f) {
 }
 
 /// Every breath that was simulated; a paralysed one also in percent of its healthy twin.
-std::string breaths_text(const Findings& f) {
+std::string breaths_text(const ValidationRun& f) {
   std::string text = fmt::format("{:<30} {:>8} {:>10} {:>12} {:>12} {:>12}\n", "Domes: positive descends",
                                  "dV ml", "% of twin", "right mm", "left mm", "volume error");
   for (const ValidatedScenario& scenario : validated_scenarios()) {
@@ -67,7 +67,7 @@ std::string bounds_text(std::span<const Judged> results) {
 
 }  // namespace
 
-std::vector<Table1Source> table1_rows(const Findings& f) {
+std::vector<Table1Source> table1_rows(const ValidationRun& f) {
   return {{"experiment", "experiment", &f.paper.experiment},
           {"published_model", "published model", &f.paper.published_model},
           {"published_healthy", "ours, published_healthy", &f.published_healthy.row},
@@ -75,7 +75,7 @@ std::vector<Table1Source> table1_rows(const Findings& f) {
           {"craighero", "ours, craighero", &f.craighero.row}};
 }
 
-std::string validation_text(const Findings& findings, std::span<const Judged> results) {
+std::string validation_text(const ValidationRun& findings, std::span<const Judged> results) {
   const auto failed = std::count_if(results.begin(), results.end(), [](const Judged& r) { return !r.pass; });
   return table1_text(findings) + "\n" + breaths_text(findings) + "\n" + bounds_text(results) +
          (failed == 0 ? fmt::format("All {} bounds hold.", results.size())

@@ -12,9 +12,9 @@ struct Table1Source {
 };
 
 /// The experiment, the published model, and ours of either kind; rows of `findings`, which must outlive them.
-std::vector<Table1Source> table1_rows(const Findings& findings);
+std::vector<Table1Source> table1_rows(const ValidationRun& findings);
 
 /// The whole report as text: Table 1 with errors, the breaths, the bounds.
-std::string validation_text(const Findings& findings, std::span<const Judged> results);
+std::string validation_text(const ValidationRun& findings, std::span<const Judged> results);
 
 }  // namespace trunk

@@ -9,16 +9,16 @@ using namespace trunk;
 namespace {
 
 /// A trace made by the simulator itself at half the time step, without noise.
-Target twin(const Trunk& trunk, const Scenario& s, Parameters<double> truth) {
+MeasuredCurve twin(const Trunk& trunk, const Scenario& s, Parameters<double> truth) {
   TimeGrid fine = s.time;
   fine.dt_s *= 0.5;
   const VolumeCurve curve = simulate_volume(trunk, truth, s.activation, fine);
   REQUIRE(curve.ending.completed());
-  Target target;
-  for (int i = 0; i <= 200; ++i) target.time_s.push_back(s.time.duration_s * i / 200);
-  const Eigen::VectorXd v = sampled(curve.delta_v, fine.dt_s, target.time_s);
-  target.delta_v.assign(v.data(), v.data() + v.size());
-  return target;
+  MeasuredCurve measured;
+  for (int i = 0; i <= 200; ++i) measured.time_s.push_back(s.time.duration_s * i / 200);
+  const Eigen::VectorXd v = sampled(curve.delta_v, fine.dt_s, measured.time_s);
+  measured.delta_v.assign(v.data(), v.data() + v.size());
+  return measured;
 }
 
 EstimationOptions quick() {
@@ -28,10 +28,10 @@ EstimationOptions quick() {
   return options;
 }
 
-Estimation fitted(const Trunk& trunk, const Scenario& s, const SearchSpace& space, const Target& target,
-                  const EstimationOptions& options = quick()) {
+Estimation fitted(const Trunk& trunk, const Scenario& s, const SearchSpace& space,
+                  const MeasuredCurve& measured, const EstimationOptions& options = quick()) {
   Ledger ledger;
-  return estimate(trunk, s.time, space, target, options, ledger);
+  return estimate(trunk, s.time, space, measured, options, ledger);
 }
 
 Scenario healthy_scenario() {
@@ -46,14 +46,14 @@ TEST_CASE("a twin at half the step gives its parameters back to 1e-3 from ten st
   Parameters<double> truth = s.parameters;
   truth.elasticity = 5200.0;
   truth.muscle = 44.0;
-  const Target target = twin(trunk, s, truth);
+  const MeasuredCurve measured = twin(trunk, s, truth);
   double worst = 0.0;
   for (int k = 0; k < 10; ++k) {
     Candidate start{s.parameters, s.activation};
     start.parameters.elasticity = 600.0 * std::pow(15000.0 / 600.0, k / 9.0);
     start.parameters.muscle = start.parameters.elasticity * (k % 2 == 0 ? 0.002 : 0.04);
     const SearchSpace space({"k_elasticity", "k_muscle"}, start);
-    const Estimation e = fitted(trunk, s, space, target);
+    const Estimation e = fitted(trunk, s, space, measured);
     INFO("start " << start.parameters.elasticity << ", " << start.parameters.muscle);
     CHECK(e.search.converged);
     CHECK(e.best.parameters.elasticity == Approx(5200.0).epsilon(1e-3));
@@ -79,16 +79,16 @@ TEST_CASE("a slow breath with noise determines the ratio and says so", "[regress
   Scenario s = healthy_scenario();
   s.parameters.damping = 2.0;  // hardly any lag: k_elasticity by itself leaves no trace
   const Trunk trunk = make_trunk(s);
-  Target target = twin(trunk, s, s.parameters);
+  MeasuredCurve measured = twin(trunk, s, s.parameters);
   std::uint32_t state = 1;  // correlated noise, as residuals of real breaths are, the same everywhere
   double noise = 0.0;
-  for (double& v : target.delta_v) {
+  for (double& v : measured.delta_v) {
     state = state * 1664525u + 1013904223u;
     noise = 0.95 * noise + 0.14 * 466e-6 * (state / 4294967296.0 - 0.5);
     v += noise;
   }
   const SearchSpace space({"k_elasticity", "k_muscle"}, {s.parameters, s.activation});
-  const Estimation e = fitted(trunk, s, space, target);
+  const Estimation e = fitted(trunk, s, space, measured);
   REQUIRE(e.uncertainty);
   CAPTURE(e.uncertainty->verdict);
   CHECK_FALSE(e.uncertainty->identifiable);
@@ -101,10 +101,10 @@ TEST_CASE("runs that fail are counted, and the fit goes on", "[regression][slow]
   Scenario s = healthy_scenario();
   s.time.dt_s = 4e-3;  // stable at 4000 N/m, not at the upper bound: there it is simulated in steps of 1 ms
   const Trunk trunk = make_trunk(s);
-  const Target target = twin(trunk, s, s.parameters);
+  const MeasuredCurve measured = twin(trunk, s, s.parameters);
   const SearchSpace space({"k_elasticity", "k_muscle"}, {s.parameters, s.activation});
   Ledger ledger;
-  Objective objective(trunk, s.time, space, target, ledger);
+  Objective objective(trunk, s.time, space, measured, ledger);
   const double at_truth = objective.problem().at(space.start()).objective;
   const double too_stiff = objective.problem().at(space.upper()).objective;
   CHECK(finite(too_stiff));
@@ -115,7 +115,7 @@ TEST_CASE("runs that fail are counted, and the fit goes on", "[regression][slow]
   CHECK(finite(beyond));
   CHECK(beyond > 1e3 * std::max(at_truth, 1e-12));
   CHECK(objective.failures() == 1);
-  const Estimation e = fitted(trunk, s, space, target);
+  const Estimation e = fitted(trunk, s, space, measured);
   CHECK(e.best.parameters.elasticity == Approx(s.parameters.elasticity).epsilon(0.02));
 }
 
@@ -134,16 +134,16 @@ TEST_CASE("a sniff before the breath traps one search, and many starts find the 
     moved.parameters.muscle *= strength;
     return twin(trunk, moved, moved.parameters);
   };
-  Target target = curve_from(3.0, 1.0);
-  const Target sniff = curve_from(0.3, 0.4);
-  for (std::size_t i = 0; i < target.delta_v.size(); ++i) target.delta_v[i] += sniff.delta_v[i];
+  MeasuredCurve measured = curve_from(3.0, 1.0);
+  const MeasuredCurve sniff = curve_from(0.3, 0.4);
+  for (std::size_t i = 0; i < measured.delta_v.size(); ++i) measured.delta_v[i] += sniff.delta_v[i];
   const Candidate start{s.parameters, s.activation};  // at onset 0: the sniff is nearest
   const SearchSpace space({"k_muscle", "onset"}, start, {}, {{"onset", {}, 0.0}});
-  const Estimation one = fitted(trunk, s, space, target);
+  const Estimation one = fitted(trunk, s, space, measured);
   EstimationOptions many = quick();
   many.starts = 12;
-  const Estimation best = fitted(trunk, s, space, target, many),
-                   again = fitted(trunk, s, space, target, many);
+  const Estimation best = fitted(trunk, s, space, measured, many),
+                   again = fitted(trunk, s, space, measured, many);
   CAPTURE(one.best.activation.onset_s, best.best.activation.onset_s);
   CHECK(one.best.activation.onset_s < 1.0);
   CHECK(best.best.activation.onset_s == Approx(3.0).margin(0.05));
@@ -156,14 +156,15 @@ TEST_CASE("a robust loss passes over what least squares runs after", "[regressio
   Scenario s = healthy_scenario();
   s.time.dt_s = 4e-3;
   const Trunk trunk = make_trunk(s);
-  Target target = twin(trunk, s, s.parameters);
-  for (std::size_t i = 60; i < 75; ++i) target.delta_v[i] += 120e-6;  // a swallow
+  MeasuredCurve measured = twin(trunk, s, s.parameters);
+  for (std::size_t i = 60; i < 75; ++i) measured.delta_v[i] += 120e-6;  // a swallow
   const SearchSpace space({"k_elasticity", "k_muscle"}, {s.parameters, s.activation});
   const auto error_with = [&](Loss loss) {
     EstimationOptions options = quick();
     options.loss = loss;
-    return std::abs(
-        fitted(trunk, s, space, target, options).best.parameters.elasticity / s.parameters.elasticity - 1.0);
+    return std::abs(fitted(trunk, s, space, measured, options).best.parameters.elasticity /
+                        s.parameters.elasticity -
+                    1.0);
   };
   const double squares = error_with(Loss::squares);
   CAPTURE(squares);

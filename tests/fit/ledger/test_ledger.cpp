@@ -49,10 +49,10 @@ TEST_CASE("what a ledger says is looked at before it is believed", "[unit]") {
   Scenario s = test::shipped("healthy");
   s.time = {4e-3, 0.2};
   const Trunk trunk = make_trunk(s);
-  const Target target{{0.0, 0.1, 0.2}, {0.0, 1e-5, 2e-5}, {}};
+  const MeasuredCurve measured{{0.0, 0.1, 0.2}, {0.0, 1e-5, 2e-5}, {}};
   const SearchSpace space({"k_muscle"}, {s.parameters, s.activation});
   Ledger good;
-  Objective first(trunk, s.time, space, target, good);
+  Objective first(trunk, s.time, space, measured, good);
   const auto model = first.model(space.start());
   REQUIRE(model);
   CHECK(first.simulated() == 1);
@@ -62,11 +62,11 @@ TEST_CASE("what a ledger says is looked at before it is believed", "[unit]") {
         LedgerEntry{7, 0.2, 0.0, {}}, LedgerEntry{2, 0.1, 0.0, {0.0, 0.0, 0.0}}}) {
     Ledger ledger;
     ledger.add(key, bad);
-    Objective objective(trunk, s.time, space, target, ledger);
+    Objective objective(trunk, s.time, space, measured, ledger);
     CHECK(*objective.model(space.start()) == *model);
     CHECK(objective.simulated() == 1);
   }
-  Objective again(trunk, s.time, space, target, good);
+  Objective again(trunk, s.time, space, measured, good);
   CHECK(*again.model(space.start()) == *model);
   CHECK(again.simulated() == 0);
   CHECK(again.evaluations().size() == 1);  // it was asked for, though not simulated

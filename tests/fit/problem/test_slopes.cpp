@@ -11,15 +11,15 @@ namespace {
 struct Case {
   Scenario scenario = test::shipped("healthy");
   Trunk trunk = make_trunk(scenario);
-  Target target;
+  MeasuredCurve measured;
   Ledger ledger;
 
   Case() {
     scenario.time.dt_s = 3e-3;
     scenario.activation.onset_s = 4e-4;  // its corners fall between the steps, where slopes are of one kind
-    for (int i = 0; i <= 30; ++i) target.time_s.push_back(0.15 * i);
-    for (const double t : target.time_s) target.delta_v.push_back(400e-6 * std::sin(M_PI * t / 4.5));
-    target.delta_v[7] += 200e-6;  // an outlier
+    for (int i = 0; i <= 30; ++i) measured.time_s.push_back(0.15 * i);
+    for (const double t : measured.time_s) measured.delta_v.push_back(400e-6 * std::sin(M_PI * t / 4.5));
+    measured.delta_v[7] += 200e-6;  // an outlier
   }
   SearchSpace space(const std::vector<std::string>& names) const {
     return SearchSpace(names, {scenario.parameters, scenario.activation}, {},
@@ -43,9 +43,9 @@ TEST_CASE("The exact slopes of an objective are those of central differences", "
   const std::vector<std::string> names = {"k_elasticity", "k_muscle",        "damping",
                                           "onset",        "fast_fall_level", "shape_rise_3"};
   const SearchSpace space = c.space(names);
-  Objective objective(c.trunk, c.scenario.time, space, c.target, c.ledger);
+  Objective objective(c.trunk, c.scenario.time, space, c.measured, c.ledger);
   for (const Loss loss : {Loss::squares, Loss::huber, Loss::student}) {
-    objective.charge(loss, 1.5);
+    objective.use_loss(loss, 1.5);
     const LeastSquares problem = objective.problem();
     REQUIRE(problem.exact_slopes);
     CHECK(apart(problem.exact_slopes(space.start()), jacobian(problem, space.start(), 1e-5)) < 2e-5);
@@ -57,9 +57,9 @@ TEST_CASE("The exact slopes of an objective are those of central differences", "
 
 TEST_CASE("The exact slope of a tidal volume is that of the curve where it is highest", "[unit][fit][slow]") {
   Case c;
-  c.target = {{}, {400e-6}, {}};
+  c.measured = {{}, {400e-6}, {}};
   const SearchSpace space({"k_muscle"}, {c.scenario.parameters, c.scenario.activation});
-  Objective objective(c.trunk, c.scenario.time, space, c.target, c.ledger);
+  Objective objective(c.trunk, c.scenario.time, space, c.measured, c.ledger);
   const LeastSquares problem = objective.problem();
   CHECK(apart(problem.exact_slopes(space.start()), jacobian(problem, space.start(), 1e-4)) < 1e-5);
 }
@@ -69,7 +69,7 @@ TEST_CASE("Slopes are simulated once and kept in the ledger; where the model fai
   Case c;
   c.scenario.time.dt_s = 0.8 * stable_time_step(c.trunk.model, c.scenario.parameters);
   const SearchSpace space = c.space({"k_elasticity", "k_muscle"});
-  Objective objective(c.trunk, c.scenario.time, space, c.target, c.ledger);
+  Objective objective(c.trunk, c.scenario.time, space, c.measured, c.ledger);
   const LeastSquares problem = objective.problem();
   const Slopes first = problem.exact_slopes(space.start());
   const std::size_t simulated = objective.simulated();

@@ -36,16 +36,16 @@ struct Study {
     truth.assign(v.data(), v.data() + v.size());
   }
 
-  Target noisy(double rho, std::mt19937_64& engine) const {
-    Target target{time_s, truth, {}};
+  MeasuredCurve noisy(double rho, std::mt19937_64& engine) const {
+    MeasuredCurve measured{time_s, truth, {}};
     std::normal_distribution<double> normal;
     const double sigma = 4e-6;
     double noise = sigma * normal(engine);
-    for (double& v : target.delta_v) {
+    for (double& v : measured.delta_v) {
       v += noise;
       noise = rho * noise + sigma * std::sqrt(1 - rho * rho) * normal(engine);
     }
-    return target;
+    return measured;
   }
 };
 
@@ -59,8 +59,8 @@ Counts coverage(double rho, int repeats) {
   const double truth[2] = {study.scenario.parameters.elasticity, study.scenario.parameters.muscle};
   Counts counts;
   for (int k = 0; k < repeats; ++k) {
-    const Target target = study.noisy(rho, engine);
-    Objective objective(study.trunk, study.scenario.time, study.space, target, study.ledger);
+    const MeasuredCurve measured = study.noisy(rho, engine);
+    Objective objective(study.trunk, study.scenario.time, study.space, measured, study.ledger);
     const SearchResult best = levenberg_marquardt(objective.problem(), study.space.start(), {});
     REQUIRE(best.converged);
     const auto fit = local_fit(objective, best.best);
@@ -96,8 +96,8 @@ TEST_CASE("profile, likelihood surface and bootstrap agree with the local interv
           "[property][slow]") {
   Study study;
   std::mt19937_64 engine(5);
-  const Target target = study.noisy(0.0, engine);
-  Objective objective(study.trunk, study.scenario.time, study.space, target, study.ledger);
+  const MeasuredCurve measured = study.noisy(0.0, engine);
+  Objective objective(study.trunk, study.scenario.time, study.space, measured, study.ledger);
   const SearchResult best = levenberg_marquardt(objective.problem(), study.space.start(), {});
   const auto fit = local_fit(objective, best.best);
   REQUIRE(fit);

@@ -4,7 +4,7 @@
 
 #include "compartment/one_compartment.hpp"
 #include "math/median.hpp"
-#include "problem/target.hpp"
+#include "problem/measured_curve.hpp"
 #include "support/catch.hpp"
 #include "uncertainty/uncertainty.hpp"
 #include "uncertainty/verdict.hpp"
@@ -122,13 +122,14 @@ TEST_CASE("the information criterion is that of the AR(1) likelihood", "[unit]")
 
 TEST_CASE("robust losses leave small residuals alone and charge outliers less", "[unit]") {
   const Eigen::Vector4d r(0.0, -0.1, 1.0, -50.0);
-  CHECK(charged(r, Loss::squares, 1.0) == r);
-  const Eigen::Vector4d huber = charged(r, Loss::huber, 1.0), student = charged(r, Loss::student, 1.0);
+  CHECK(robust_residuals(r, Loss::squares, 1.0) == r);
+  const Eigen::Vector4d huber = robust_residuals(r, Loss::huber, 1.0),
+                        student = robust_residuals(r, Loss::student, 1.0);
   CHECK(huber.head(3) == r.head(3));
   CHECK(huber[3] == Approx(-std::sqrt(1.345 * (2 * 50.0 - 1.345))));
   CHECK(student[3] == Approx(-std::sqrt(5.0 * std::log(1 + 2500.0 / 4.0))));
   CHECK(student[1] == Approx(-0.1 * std::sqrt(1.25)).epsilon(0.01));
-  CHECK(charged(2.0 * r, Loss::huber, 2.0) == 2.0 * huber);
+  CHECK(robust_residuals(2.0 * r, Loss::huber, 2.0) == 2.0 * huber);
   CHECK(median_deviation(Eigen::Vector3d(-2.0, 1.0, 100.0)) == Approx(2.9652));
 }
 
@@ -195,17 +196,17 @@ TEST_CASE("the verdict says what comes from a bound, an open profile or a prior"
 TEST_CASE("the one-compartment baseline finds its own constants again", "[unit]") {
   const BreathActivation<double> activation;
   const double drive = 1.4e-3, rate = 3.2;
-  Target target;
+  MeasuredCurve measured;
   double v = 0.0;
   const double h = 1e-5;  // explicit Euler, small enough to be an independent check
   for (int n = 0; n <= 450000; ++n) {
     if (n % 2250 == 0) {
-      target.time_s.push_back(n * h);
-      target.delta_v.push_back(v);
+      measured.time_s.push_back(n * h);
+      measured.delta_v.push_back(v);
     }
     v += h * (drive * activation(n * h) - rate * v);
   }
-  const OneCompartment fitted = fit_one_compartment(target, activation);
+  const OneCompartment fitted = fit_one_compartment(measured, activation);
   CHECK(fitted.drive == Approx(drive).epsilon(1e-3));
   CHECK(fitted.rate == Approx(rate).epsilon(1e-3));
 
@@ -213,7 +214,7 @@ TEST_CASE("the one-compartment baseline finds its own constants again", "[unit]"
   wrong.rise_s = 2.15;
   wrong.fast_fall_s = 0.9;
   wrong.slow_fall_s = 1.5;
-  const BreathActivation<double> timed = timed_by_one_compartment(target, wrong);
+  const BreathActivation<double> timed = timed_by_one_compartment(measured, wrong);
   CHECK(timed.rise_s == Approx(2.0).epsilon(0.01));
   CHECK(timed.fast_fall_s == Approx(0.5).epsilon(0.03));
   CHECK(timed.slow_fall_s == Approx(2.0).epsilon(0.03));

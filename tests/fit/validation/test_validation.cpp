@@ -33,8 +33,8 @@ ValidatedBreath breath(double dv_ml, double right_mm, double left_mm) {
 }
 
 /// A model that keeps every bound, by numbers made up for the purpose.
-Findings good() {
-  Findings f;
+ValidationRun good() {
+  ValidationRun f;
   f.paper = read_table1(shipped_table);
   f.published_healthy = breath(440.0, 9.0, 9.0);
   f.healthy = breath(466.0, 10.0, 10.0);
@@ -46,7 +46,7 @@ Findings good() {
   return f;
 }
 
-std::set<std::string> failing(const Findings& f) {
+std::set<std::string> failing(const ValidationRun& f) {
   std::set<std::string> names;
   for (const Judged& r : judged(f))
     if (!r.pass) names.insert(r.bound.name);
@@ -120,49 +120,54 @@ TEST_CASE("A good model keeps every bound, each worsened number fails its own", 
   REQUIRE(failing(good()).empty());
   struct Case {
     std::set<std::string> fails;
-    void (*worsen)(Findings&);
+    void (*worsen)(ValidationRun&);
   };
   const Case cases[] = {
-      {{"healthy.eev_error"}, [](Findings& f) { f.healthy.row.eev_ml = 4765; }},
-      {{"healthy.eev_error"}, [](Findings& f) { f.healthy.row.eev_ml = 4755; }},
-      {{"healthy.dv_error"}, [](Findings& f) { f.healthy.row.dv_ml = 471; }},
-      {{"healthy.dv_error"}, [](Findings& f) { f.healthy.row.dv_ml = 461; }},
-      {{"healthy.dv_error", "healthy.dv_nearness"}, [](Findings& f) { f.healthy.row.dv_ml = 495; }},
-      {{"healthy.dl_difference"}, [](Findings& f) { f.healthy.row.dl_mm = 8.82; }},
-      {{"healthy.dl_difference"}, [](Findings& f) { f.healthy.row.dl_mm = 9.44; }},
-      {{"healthy.dl_difference", "healthy.dl_nearness"}, [](Findings& f) { f.healthy.row.dl_mm = 8.52; }},
-      {{"healthy.dh_difference"}, [](Findings& f) { f.healthy.row.dh_mm = 1.24; }},
-      {{"healthy.dh_difference"}, [](Findings& f) { f.healthy.row.dh_mm = 2.76; }},
-      {{"healthy.dh_difference", "healthy.dh_nearness"}, [](Findings& f) { f.healthy.row.dh_mm = -9.4; }},
-      {{"healthy.dr_difference"}, [](Findings& f) { f.healthy.row.dr_mm = 0.51; }},
-      {{"healthy.dr_difference"}, [](Findings& f) { f.healthy.row.dr_mm = -0.51; }},
-      {{"healthy.dr_difference", "healthy.dr_nearness"}, [](Findings& f) { f.healthy.row.dr_mm = -8.9; }},
-      {{"craighero.eev_error"}, [](Findings& f) { f.craighero.row.eev_ml = 4765; }},
-      {{"craighero.dv_error"}, [](Findings& f) { f.craighero.row.dv_ml = 461; }},
-      {{"craighero.dl_difference"}, [](Findings& f) { f.craighero.row.dl_mm = 10.64; }},
-      {{"craighero.dh_difference"}, [](Findings& f) { f.craighero.row.dh_mm = 1.24; }},
-      {{"craighero.dr_difference"}, [](Findings& f) { f.craighero.row.dr_mm = -0.76; }},
+      {{"healthy.eev_error"}, [](ValidationRun& f) { f.healthy.row.eev_ml = 4765; }},
+      {{"healthy.eev_error"}, [](ValidationRun& f) { f.healthy.row.eev_ml = 4755; }},
+      {{"healthy.dv_error"}, [](ValidationRun& f) { f.healthy.row.dv_ml = 471; }},
+      {{"healthy.dv_error"}, [](ValidationRun& f) { f.healthy.row.dv_ml = 461; }},
+      {{"healthy.dv_error", "healthy.dv_nearness"}, [](ValidationRun& f) { f.healthy.row.dv_ml = 495; }},
+      {{"healthy.dl_difference"}, [](ValidationRun& f) { f.healthy.row.dl_mm = 8.82; }},
+      {{"healthy.dl_difference"}, [](ValidationRun& f) { f.healthy.row.dl_mm = 9.44; }},
+      {{"healthy.dl_difference", "healthy.dl_nearness"},
+       [](ValidationRun& f) { f.healthy.row.dl_mm = 8.52; }},
+      {{"healthy.dh_difference"}, [](ValidationRun& f) { f.healthy.row.dh_mm = 1.24; }},
+      {{"healthy.dh_difference"}, [](ValidationRun& f) { f.healthy.row.dh_mm = 2.76; }},
+      {{"healthy.dh_difference", "healthy.dh_nearness"},
+       [](ValidationRun& f) { f.healthy.row.dh_mm = -9.4; }},
+      {{"healthy.dr_difference"}, [](ValidationRun& f) { f.healthy.row.dr_mm = 0.51; }},
+      {{"healthy.dr_difference"}, [](ValidationRun& f) { f.healthy.row.dr_mm = -0.51; }},
+      {{"healthy.dr_difference", "healthy.dr_nearness"},
+       [](ValidationRun& f) { f.healthy.row.dr_mm = -8.9; }},
+      {{"craighero.eev_error"}, [](ValidationRun& f) { f.craighero.row.eev_ml = 4765; }},
+      {{"craighero.dv_error"}, [](ValidationRun& f) { f.craighero.row.dv_ml = 461; }},
+      {{"craighero.dl_difference"}, [](ValidationRun& f) { f.craighero.row.dl_mm = 10.64; }},
+      {{"craighero.dh_difference"}, [](ValidationRun& f) { f.craighero.row.dh_mm = 1.24; }},
+      {{"craighero.dr_difference"}, [](ValidationRun& f) { f.craighero.row.dr_mm = -0.76; }},
       {{"hemiparalysis_right.dv", "hemiparalysis.mirror"},
-       [](Findings& f) { f.hemiparalysis_right.row.dv_ml = 186; }},
+       [](ValidationRun& f) { f.hemiparalysis_right.row.dv_ml = 186; }},
       {{"hemiparalysis_left.dv", "hemiparalysis.mirror"},
-       [](Findings& f) { f.hemiparalysis_left.row.dv_ml = 280; }},
+       [](ValidationRun& f) { f.hemiparalysis_left.row.dv_ml = 280; }},
       {{"exercise_hemiparalysis_right.dv"},
-       [](Findings& f) { f.exercise_hemiparalysis_right.row.dv_ml = 479; }},
-      {{"exercise_hemiparalysis_right.dv"}, [](Findings& f) { f.exercise_healthy.row.dv_ml = 999; }},
+       [](ValidationRun& f) { f.exercise_hemiparalysis_right.row.dv_ml = 479; }},
+      {{"exercise_hemiparalysis_right.dv"}, [](ValidationRun& f) { f.exercise_healthy.row.dv_ml = 999; }},
       {{"hemiparalysis_right.paralysed_dome", "hemiparalysis_left.paralysed_dome"},
-       [](Findings& f) { f.hemiparalysis_right.right_dome_mm = f.hemiparalysis_left.left_dome_mm = -0.99; }},
+       [](ValidationRun& f) {
+         f.hemiparalysis_right.right_dome_mm = f.hemiparalysis_left.left_dome_mm = -0.99;
+       }},
       {{"exercise_hemiparalysis_right.paralysed_dome"},
-       [](Findings& f) { f.exercise_hemiparalysis_right.right_dome_mm = 3.0; }},
+       [](ValidationRun& f) { f.exercise_hemiparalysis_right.right_dome_mm = 3.0; }},
       {{"exercise_hemiparalysis_right.healthy_dome"},
-       [](Findings& f) { f.exercise_hemiparalysis_right.left_dome_mm = 0.0; }},
+       [](ValidationRun& f) { f.exercise_hemiparalysis_right.left_dome_mm = 0.0; }},
       {{"hemiparalysis_left.healthy_dome", "hemiparalysis.mirror"},
-       [](Findings& f) { f.hemiparalysis_left.right_dome_mm = -14.0; }},
-      {{"hemiparalysis.mirror"}, [](Findings& f) { f.hemiparalysis_left.right_dome_mm = 14.3; }},
-      {{"hemiparalysis.mirror"}, [](Findings& f) { f.hemiparalysis_left.left_dome_mm = -2.3; }},
-      {{"hemiparalysis.mirror"}, [](Findings& f) { f.hemiparalysis_left.row.dl_mm = 9.2; }},
-      {{"all.volume_error"}, [](Findings& f) { f.published_healthy.volume_error = 1.1e-10; }}};
+       [](ValidationRun& f) { f.hemiparalysis_left.right_dome_mm = -14.0; }},
+      {{"hemiparalysis.mirror"}, [](ValidationRun& f) { f.hemiparalysis_left.right_dome_mm = 14.3; }},
+      {{"hemiparalysis.mirror"}, [](ValidationRun& f) { f.hemiparalysis_left.left_dome_mm = -2.3; }},
+      {{"hemiparalysis.mirror"}, [](ValidationRun& f) { f.hemiparalysis_left.row.dl_mm = 9.2; }},
+      {{"all.volume_error"}, [](ValidationRun& f) { f.published_healthy.volume_error = 1.1e-10; }}};
   for (const Case& c : cases) {
-    Findings f = good();
+    ValidationRun f = good();
     c.worsen(f);
     CAPTURE(&c - cases);
     CHECK(failing(f) == c.fails);
@@ -171,7 +176,7 @@ TEST_CASE("A good model keeps every bound, each worsened number fails its own", 
 
 TEST_CASE("Perfect agreement passes; limits that are reached pass unless they are open",
           "[unit][validation]") {
-  Findings f = good();
+  ValidationRun f = good();
   f.healthy.row = f.paper.experiment;
   CHECK(failing(f).empty());
   f.healthy.row.dr_mm = 0.5;
@@ -181,20 +186,20 @@ TEST_CASE("Perfect agreement passes; limits that are reached pass unless they ar
 }
 
 TEST_CASE("What is not known keeps no bound", "[unit][validation]") {
-  Findings f = good();
+  ValidationRun f = good();
   for (const ValidatedScenario& scenario : validated_scenarios()) {
     ValidatedBreath& b = f.*scenario.breath;
     for (const Table1Column& column : table1_columns()) b.row.*column.value = std::nan("");
     b.right_dome_mm = b.left_dome_mm = b.volume_error = std::nan("");
   }
   CHECK(failing(f).size() == bounds().size());
-  Findings one = good();
+  ValidationRun one = good();
   one.exercise_healthy.volume_error = std::nan("");
   CHECK(failing(one) == std::set<std::string>{"all.volume_error"});
 }
 
 TEST_CASE("Failures are told in one line with value and bound, success in none", "[unit][validation]") {
-  Findings f = good();
+  ValidationRun f = good();
   CHECK(failures_text(judged(f)).empty());
   f.healthy.row.dh_mm = 5.0;
   f.exercise_hemiparalysis_right.right_dome_mm = 3.0;
@@ -209,8 +214,8 @@ TEST_CASE("Failures are told in one line with value and bound, success in none",
 
 TEST_CASE("The shipped scenarios keep every bound", "[regression][validation][slow]") {
   std::vector<std::string> ran;
-  const Findings f = find(shipped_table, source_folder / "scenarios",
-                          [&](std::string_view name) { ran.emplace_back(name); });
+  const ValidationRun f = run_validation(shipped_table, source_folder / "scenarios",
+                                         [&](std::string_view name) { ran.emplace_back(name); });
   CHECK(ran.size() == validated_scenarios().size());
   for (const ValidatedScenario& scenario : validated_scenarios()) {
     CAPTURE(scenario.name);

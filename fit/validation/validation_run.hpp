@@ -16,7 +16,7 @@ struct ValidatedBreath {
 };
 
 /// Everything the bounds are about.
-struct Findings {
+struct ValidationRun {
   Table1 paper;
   ValidatedBreath published_healthy, healthy;
   ValidatedBreath craighero;                                // the trunk registered to the paper's own subject
@@ -27,26 +27,26 @@ struct Findings {
 /// A scenario that validation runs, and where its breath goes.
 struct ValidatedScenario {
   std::string_view name;  // scenarios/NAME.toml
-  ValidatedBreath Findings::*breath;
+  ValidatedBreath ValidationRun::*breath;
 };
 std::span<const ValidatedScenario> validated_scenarios();
 
 /// A breath with one hemidiaphragm paralysed, beside the same trunk and activation without.
 struct ParalysedPair {
   std::string_view name;
-  ValidatedBreath Findings::*breath;
-  ValidatedBreath Findings::*twin;
+  ValidatedBreath ValidationRun::*breath;
+  ValidatedBreath ValidationRun::*twin;
   double ValidatedBreath::*paralysed_dome;
   double ValidatedBreath::*healthy_dome;
 
   /// dV, percent of the healthy twin's.
-  double volume_percent(const Findings& f) const;
+  double volume_percent(const ValidationRun& f) const;
 };
 std::span<const ParalysedPair> paralysed_pairs();
 
 /// Simulates every scenario of validated_scenarios() in `folder`. `note` is called with the name of each
 /// before it runs. Throws InputError on files that cannot be read; a breath that diverges is a finding.
-Findings find(const std::filesystem::path& table1, const std::filesystem::path& folder,
-              const std::function<void(std::string_view name)>& note);
+ValidationRun run_validation(const std::filesystem::path& table1, const std::filesystem::path& folder,
+                             const std::function<void(std::string_view name)>& note);
 
 }  // namespace trunk

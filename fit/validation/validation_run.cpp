@@ -1,4 +1,4 @@
-#include "validation/findings.hpp"
+#include "validation/validation_run.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,21 +11,21 @@ namespace trunk {
 namespace {
 
 constexpr ValidatedScenario scenarios[] = {
-    {"published_healthy", &Findings::published_healthy},
-    {"healthy", &Findings::healthy},
-    {"craighero", &Findings::craighero},
-    {"hemiparalysis_right", &Findings::hemiparalysis_right},
-    {"hemiparalysis_left", &Findings::hemiparalysis_left},
-    {"exercise_healthy", &Findings::exercise_healthy},
-    {"exercise_hemiparalysis_right", &Findings::exercise_hemiparalysis_right}};
+    {"published_healthy", &ValidationRun::published_healthy},
+    {"healthy", &ValidationRun::healthy},
+    {"craighero", &ValidationRun::craighero},
+    {"hemiparalysis_right", &ValidationRun::hemiparalysis_right},
+    {"hemiparalysis_left", &ValidationRun::hemiparalysis_left},
+    {"exercise_healthy", &ValidationRun::exercise_healthy},
+    {"exercise_hemiparalysis_right", &ValidationRun::exercise_hemiparalysis_right}};
 
 constexpr ParalysedPair pairs[] = {
-    {"hemiparalysis_right", &Findings::hemiparalysis_right, &Findings::healthy,
+    {"hemiparalysis_right", &ValidationRun::hemiparalysis_right, &ValidationRun::healthy,
      &ValidatedBreath::right_dome_mm, &ValidatedBreath::left_dome_mm},
-    {"hemiparalysis_left", &Findings::hemiparalysis_left, &Findings::healthy, &ValidatedBreath::left_dome_mm,
-     &ValidatedBreath::right_dome_mm},
-    {"exercise_hemiparalysis_right", &Findings::exercise_hemiparalysis_right, &Findings::exercise_healthy,
-     &ValidatedBreath::right_dome_mm, &ValidatedBreath::left_dome_mm}};
+    {"hemiparalysis_left", &ValidationRun::hemiparalysis_left, &ValidationRun::healthy,
+     &ValidatedBreath::left_dome_mm, &ValidatedBreath::right_dome_mm},
+    {"exercise_hemiparalysis_right", &ValidationRun::exercise_hemiparalysis_right,
+     &ValidationRun::exercise_healthy, &ValidatedBreath::right_dome_mm, &ValidatedBreath::left_dome_mm}};
 
 double value_of(std::span<const NamedValue> measures, std::string_view name) {
   const auto found =
@@ -58,13 +58,13 @@ std::span<const ParalysedPair> paralysed_pairs() {
   return pairs;
 }
 
-double ParalysedPair::volume_percent(const Findings& f) const {
+double ParalysedPair::volume_percent(const ValidationRun& f) const {
   return 100.0 * (f.*breath).row.dv_ml / (f.*twin).row.dv_ml;
 }
 
-Findings find(const std::filesystem::path& table1, const std::filesystem::path& folder,
-              const std::function<void(std::string_view name)>& note) {
-  Findings findings;
+ValidationRun run_validation(const std::filesystem::path& table1, const std::filesystem::path& folder,
+                             const std::function<void(std::string_view name)>& note) {
+  ValidationRun findings;
   findings.paper = read_table1(table1);
   for (const ValidatedScenario& scenario : scenarios) {
     note(scenario.name);
