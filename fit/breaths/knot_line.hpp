@@ -5,16 +5,16 @@
 
 namespace trunk {
 
-/// A function of time through knots, straight between them; `time` increases strictly, both have one length
-/// >= 1.
+/// A function of time, linear between knots. `time` increases strictly; `time` and `value` have the same
+/// length, at least 1.
 struct KnotLine {
   std::vector<double> time, value;
 
-  /// The value at t; before the first and after the last knot the line goes on with `slope_outside`.
+  /// Returns the value at t; outside the knots the line continues with `slope_outside`.
   double operator()(double t, double slope_outside = 0) const;
 };
 
-/// The signal at time t, straight between samples; held outside. `time` increases strictly.
+/// Returns the signal at time t, linear between samples and constant outside. `time` increases strictly.
 double interpolated(std::span<const double> time, std::span<const double> signal, double t);
 
 }  // namespace trunk

@@ -20,7 +20,7 @@ KnotLine through(Samples time, Samples volume, const std::vector<std::size_t>& t
   return line;
 }
 
-// Between the peaks on either side, so that both phases last.
+// Returns t, limited to the time between the peaks on either side, so that both phases have a duration.
 double between_peaks(Samples time, const WholeBreaths& breaths, std::size_t rest, double t) {
   const double from = rest > 0 ? time[breaths.peak[rest - 1] + 1] : time.front();
   const double until = rest < breaths.peak.size() ? time[breaths.peak[rest] - 1] : time.back();
@@ -31,8 +31,8 @@ double between_peaks(Samples time, const WholeBreaths& breaths, std::size_t rest
 
 Landmarks landmarks(Samples time, Samples volume, const WholeBreaths& breaths) {
   const BinnedVolume record(time, volume, breaths);
-  // Turns need a level base line, and the base line needs turns: first through the minima, then through the
-  // rests.
+  // Turns need a level base line, and the base line needs turns: so it goes first through the minima, then
+  // through the rests.
   Landmarks found{through(time, volume, breaths.trough), {}, {}, {}};
   const auto above_rest = [&](double sign) {
     return record.above(found.rest, breaths.drift, breaths.height, sign);
@@ -57,7 +57,7 @@ Landmarks landmarks(Samples time, Samples volume, const WholeBreaths& breaths) {
                  least = least_phase * (end - onset);
     const double middle = 0.5 * (tops[i].begin_s + tops[i].end_s);
     found.peak_s.push_back(std::clamp(middle, onset + least, end - least));
-    // The fit rounds a sharp top; the highest sample is raised by noise.
+    // The fit rounds a sharp top, and noise raises the highest sample.
     const double highest = -*std::min_element(windows[i].smooth.begin(), windows[i].smooth.end());
     found.tidal_volume.push_back(std::max(-tops[i].level, highest - 2 * depth.noise));
   }

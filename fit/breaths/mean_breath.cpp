@@ -17,14 +17,11 @@ using Breaths = std::vector<Breath>;
 
 void check_usable(const Segmentation& segmentation, int samples) {
   if (!segmentation.calibrated)
-    throw InputError(
-        segmentation.source, 0,
-        "the signal is a belt's, in arbitrary units; expected volumes; give the tidal volume that "
-        "its median breath had, as in --calibrate-tidal-volume 500 (ml)");
+    throw InputError({segmentation.source}, "the signal comes from a belt and has arbitrary units", "volumes",
+                     "give the tidal volume of its median breath, as in --calibrate-tidal-volume 500 (ml)");
   if (samples >= 3) return;
-  throw InputError(
-      segmentation.source, 0,
-      std::to_string(samples) + " samples a breath asked for; expected 3 or more; ask for about 200");
+  throw InputError({segmentation.source}, std::to_string(samples) + " samples per breath asked for",
+                   "3 or more", "ask for about 200");
 }
 
 MeasuredBreath mean_timing(const Breaths& used) {
@@ -42,11 +39,11 @@ MeasuredBreath mean_timing(const Breaths& used) {
 std::vector<double> even_grid(double end, int samples) {
   std::vector<double> grid;
   for (int i = 0; i + 1 < samples; ++i) grid.push_back(end * i / (samples - 1));
-  grid.push_back(end);  // exactly, whatever the rounding
+  grid.push_back(end);  // exact, without rounding
   return grid;
 }
 
-// The time in a breath that corresponds to time t of the mean: the same part of the same phase.
+// Returns the time in a breath that corresponds to time t of the mean: the same part of the same phase.
 double time_in(const Breath& breath, const MeasuredBreath& mean, double t) {
   if (t <= mean.inspiration_s)
     return breath.onset_s + (breath.peak_s - breath.onset_s) * t / mean.inspiration_s;
@@ -67,7 +64,7 @@ double deviation_of(const std::vector<double>& values) {
   return std::sqrt(sum / static_cast<double>(values.size() - 1));
 }
 
-// The signal of every breath at time t of the mean.
+// Returns the signal of every breath at time t of the mean, [breaths].
 std::vector<double> values_at(const Segmentation& segmentation, const std::vector<double>& signal,
                               const Breaths& used, const MeasuredBreath& mean, double t) {
   std::vector<double> values;
@@ -95,7 +92,7 @@ MeasuredBreath averaged(const Segmentation& segmentation, const Breaths& used, i
   }
   for (const double sigma : mean.sigma_m3)
     mean.standard_error_m3.push_back(sigma / std::sqrt(static_cast<double>(used.size())));
-  // Zero by definition of the base line; a single sample there holds noise.
+  // By definition of the base line the volume is 0 there; the samples hold noise.
   mean.volume_m3.front() = mean.volume_m3.back() = 0;
   mean.breaths_used = static_cast<int>(used.size());
   return mean;
@@ -109,11 +106,11 @@ MeasuredBreath mean_breath(const Segmentation& segmentation, int samples) {
   for (const auto& breath : segmentation.breaths)
     if (breath.kept) kept.push_back(breath);
   if (kept.empty())
-    throw InputError(segmentation.source, 0,
+    throw InputError({segmentation.source},
                      "none of the " + std::to_string(segmentation.breaths.size()) +
                          " whole breaths can be used, the first because " +
-                         segmentation.breaths.front().reason +
-                         "; expected one or more; choose some with --include or give another recording");
+                         segmentation.breaths.front().reason,
+                     "one or more", "choose some with --include or give another recording");
   MeasuredBreath mean = averaged(segmentation, kept, samples);
   mean.breaths_rejected = static_cast<int>(segmentation.breaths.size() - kept.size());
   return mean;
@@ -123,9 +120,8 @@ MeasuredBreath single_breath(const Segmentation& segmentation, std::size_t numbe
   check_usable(segmentation, samples);
   const std::size_t count = segmentation.breaths.size();
   if (number < 1 || number > count)
-    throw InputError(segmentation.source, 0,
-                     "breath " + std::to_string(number) + " asked for; expected 1 to " +
-                         std::to_string(count) + ", the whole breaths found; choose one of them");
+    throw InputError({segmentation.source}, "breath " + std::to_string(number) + " asked for",
+                     "1 to " + std::to_string(count) + ", the whole breaths found", "choose one of them");
   return averaged(segmentation, {segmentation.breaths[number - 1]}, samples);
 }
 

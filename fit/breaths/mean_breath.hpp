@@ -7,30 +7,31 @@
 
 namespace trunk {
 
-/// The breath a fit is held against, on an even grid of time from 0 (onset) to duration_s, both included.
+/// The breath that a fit follows, on an even time grid from 0 (onset) to duration_s, both included.
 struct MeasuredBreath {
   std::vector<double> time_s;             ///< [samples]
   std::vector<double> volume_m3;          ///< [samples] above end-expiration; exactly 0 at both ends
   std::vector<double> sigma_m3;           ///< [samples] > 0; see mean_breath and single_breath
   std::vector<double> standard_error_m3;  ///< [samples] of volume_m3: sigma_m3 over the root of breaths_used
-  double inspiration_s = 0, duration_s = 0, tidal_volume_m3 = 0;  ///< means of the breaths used
+  double inspiration_s = 0, duration_s = 0, tidal_volume_m3 = 0;  ///< means over the breaths used
   double pause_s = 0;  ///< mean rest at the end of expiration, part of duration_s
   int breaths_used = 0, breaths_rejected = 0;
 };
 
-/// The mean of the kept breaths. Inspirations and expirations are stretched, each linearly, to their mean
-/// durations, so that peaks meet; then volumes are averaged. sigma is the standard deviation over breaths
-/// (noise of one breath when fewer than three are kept), the trace's own sigma where that is larger, and at
-/// least 1 % of the tidal volume: the breaths agree exactly where they are set to 0, and no spirometer is
-/// better (our choice).
+/// Returns the mean of the kept breaths. Inspirations and expirations are stretched linearly to their mean
+/// durations, so that peaks coincide; then volumes are averaged. sigma is the standard deviation over breaths
+/// (the noise of one breath if fewer than three are kept), or the trace's own sigma if that is larger. It is
+/// at least 1 % of the tidal volume, because all breaths are set to 0 at their ends and no spirometer is more
+/// exact (our choice).
 ///
-/// Throws InputError with the source: samples < 3, no breath kept, a belt that is not calibrated.
+/// Throws InputError if samples < 3, if no breath is kept, or if the signal is a belt that is not calibrated.
 MeasuredBreath mean_breath(const Segmentation& segmentation, int samples = 200);
 
-/// Breath `number`, counted from 1 as in the list shown to the user, kept or not. sigma is the trace's own
-/// where given, else the noise of the volume; at least 1 % of the tidal volume.
+/// Returns breath `number`, kept or not, counted from 1 as in the list shown to the user. sigma is the
+/// trace's own if it has one, otherwise the noise of the volume, and at least 1 % of the tidal volume.
 ///
-/// Throws InputError with the source: no such breath, samples < 3, a belt that is not calibrated.
+/// Throws InputError if there is no such breath, if samples < 3, or if the signal is a belt that is not
+/// calibrated.
 MeasuredBreath single_breath(const Segmentation& segmentation, std::size_t number, int samples = 200);
 
 }  // namespace trunk

@@ -1,5 +1,7 @@
 #include "breaths/plausibility.hpp"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <cmath>
 #include <string>
@@ -31,7 +33,8 @@ constexpr std::array flow_units{Unit{"L_s", "litres per second", 1e-3},
                                 Unit{"L_min", "litres per minute", 1e-3 / 60},
                                 Unit{"ml_s", "millilitres per second", 1e-6}};
 
-// The unit which, read in place of `used`, brings `found` nearest to what is usual: a sentence, or "".
+// Returns a remedy that names the unit with which `found` would be nearest to the usual value, or "" if no
+// unit brings it into the range.
 template <class Units>
 std::string better_unit(const Units& units, std::string_view base, std::string_view used, double found,
                         const Range& range) {
@@ -45,9 +48,9 @@ std::string better_unit(const Units& units, std::string_view base, std::string_v
   for (const Unit& unit : units)
     if (range.holds(corrected(unit)) && (best == nullptr || distance(unit) < distance(*best))) best = &unit;
   if (best == nullptr) return "";
-  return "check that the signal is breathing; if it is, the column named in " + std::string(from->words) +
-         " may hold " + std::string(best->words) + ": name it " + std::string(base) + "_" +
-         std::string(best->name);
+  return fmt::format(
+      "check that the signal is breathing; if it is, the column named in {} may hold {}: name it {}_{}",
+      from->words, best->words, base, best->name);
 }
 
 }  // namespace
@@ -55,10 +58,9 @@ std::string better_unit(const Units& units, std::string_view base, std::string_v
 void check_period(const Trace& trace, double median_period_s) {
   if (period_s.holds(median_period_s)) return;
   const auto hint = better_unit(time_units, "time", trace.time_unit, median_period_s, period_s);
-  throw InputError(trace.source, 0,
-                   "the breaths found last " + number_text(median_period_s) +
-                       " s in the median; expected 0.8 to 30 s; " +
-                       (hint.empty() ? "check the unit of time and that the signal is breathing" : hint));
+  throw InputError({trace.source}, "the median breath lasts " + number_text(median_period_s) + " s",
+                   "0.8 to 30 s",
+                   hint.empty() ? "check the unit of time and that the signal is breathing" : hint);
 }
 
 void check_tidal_volume(const Trace& trace, double median_tidal_volume_m3) {
@@ -67,11 +69,9 @@ void check_tidal_volume(const Trace& trace, double median_tidal_volume_m3) {
   const bool flow = trace.kind == SignalKind::flow;
   const auto hint = flow ? better_unit(flow_units, "flow", trace.value_unit, found_ml, tidal_volume_ml)
                          : better_unit(volume_units, "volume", trace.value_unit, found_ml, tidal_volume_ml);
-  throw InputError(
-      trace.source, 0,
-      "the breaths found have a tidal volume of " + number_text(found_ml) +
-          " ml in the median; expected 30 to 6000 ml; " +
-          (hint.empty() ? "check the unit, the calibration and that the signal is breathing" : hint));
+  throw InputError({trace.source}, "the median breath has a tidal volume of " + number_text(found_ml) + " ml",
+                   "30 to 6000 ml",
+                   hint.empty() ? "check the unit, the calibration and that the signal is breathing" : hint);
 }
 
 }  // namespace trunk

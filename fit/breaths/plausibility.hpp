@@ -4,9 +4,9 @@
 
 namespace trunk {
 
-/// Check what was found in a trace against human breathing: period 0.8..30 s, tidal volume 30..6000 ml (our
-/// choice, from a panting to a slow deep breath, from an infant's to a vital capacity). Throw InputError with
-/// the trace's source that names the unit under which the number would make sense, if there is one.
+/// Throw InputError if the breaths of a trace are not those of a human: period 0.8 to 30 s, from panting to
+/// slow deep breathing; tidal volume 30 to 6000 ml, from an infant's to a vital capacity (our choice). The
+/// remedy names the unit with which the number would make sense, if there is one.
 void check_period(const Trace& trace, double median_period_s);
 void check_tidal_volume(const Trace& trace, double median_tidal_volume_m3);
 

@@ -5,15 +5,18 @@
 
 namespace trunk {
 
-/// Standard deviation of white noise on a smooth signal sampled evenly (unit of the signal): the median
-/// absolute fourth difference over its expected value, 0.6745 sqrt(70) sigma. The fourth difference of a
-/// breath sampled 20 times or more is negligible, and the median ignores jumps. 0 for fewer than 5 samples.
+/// Returns the standard deviation of white noise on a smooth, evenly sampled signal, in the signal's unit; 0
+/// for fewer than 5 samples. It is the median absolute fourth difference over its expected value, 0.6745
+/// sqrt(70) sigma. The fourth difference of a breath with 20 or more samples is negligible, and the median
+/// ignores jumps.
 double noise_deviation(std::span<const double> signal);
 
-/// Centred moving average over `width` samples (odd; narrower towards the ends, so that no phase is shifted).
+/// Returns the centred moving average over `width` samples (odd). The width shrinks towards the ends, so the
+/// average shifts nothing in time.
 std::vector<double> moving_average(std::span<const double> signal, std::size_t width);
 
-/// The narrowest odd width, at most `widest`, for which an average leaves `allowed` of a white noise.
+/// Returns the narrowest odd width, at most `widest`, whose average reduces white noise from `noise` to
+/// `allowed`.
 std::size_t averaging_width(double noise, double allowed, std::size_t widest);
 
 }  // namespace trunk

@@ -24,12 +24,11 @@ std::string volume_text(double volume_m3, bool calibrated) {
 
 void check_any(const Trace& trace, const WholeBreaths& found) {
   if (!found.peak.empty()) return;
-  throw InputError(trace.source, 0,
+  throw InputError({trace.source},
                    "no whole breath in " + seconds(trace.time_s.back() - trace.time_s.front()) + " (" +
-                       std::to_string(found.inspirations) +
-                       " inspiration(s) seen); expected at least one breath from rest to rest; give a longer "
-                       "recording, or "
-                       "one that begins and ends at the end of an expiration");
+                       std::to_string(found.inspirations) + " inspiration(s) seen)",
+                   "at least one breath from rest to rest",
+                   "give a longer recording, or one that begins and ends at the end of an expiration");
 }
 
 std::vector<Breath> breaths_at(const Landmarks& marks) {
@@ -72,12 +71,12 @@ std::string odd_inspiration(const Breath& breath) {
   return "inspiration takes " + number_text(100 * part, 2) + " % of the breath";
 }
 
-// The last breath ends with the record: whether all of its expiration is there shows in those of the others.
+// Returns a reason if the recording ends within the last breath: its expiration is shorter than usual.
 std::string cut_off(const Breath& breath, double record_end_s, double usual_expiration_s) {
   const bool at_the_end = record_end_s - breath.end_s < 0.02 * breath.duration_s();
   if (!at_the_end || breath.expiration_s() >= 0.8 * usual_expiration_s) return "";
-  return "the recording ends " + seconds(breath.expiration_s()) + " into its expiration, of usually " +
-         seconds(usual_expiration_s);
+  return "the recording ends " + seconds(breath.expiration_s()) +
+         " into its expiration, which usually lasts " + seconds(usual_expiration_s);
 }
 
 template <class Text>
@@ -87,8 +86,9 @@ std::string odd_return(const Breath& breath, double shift, Text text) {
          " where it began, over half of its tidal volume " + text(breath.tidal_volume_m3);
 }
 
-// How far the rest moved over each breath, beyond what it does in the median or over the breath before or
-// after: a wander of the base line moves several alike, a shift one. In parts of the tidal volume.
+// Returns how far the rest moves over each breath, in parts of the tidal volume, beyond the median drift or
+// the drift over a neighbouring breath. A wandering base line moves neighbours alike; a shift moves one
+// breath.
 std::vector<double> shifts_of(const Landmarks& marks, double drift) {
   const auto& [time, value] = marks.rest;
   const auto slope = [&](std::size_t k) { return (value[k + 1] - value[k]) / (time[k + 1] - time[k]); };
@@ -105,7 +105,7 @@ std::vector<double> shifts_of(const Landmarks& marks, double drift) {
   return shifts;
 }
 
-// In whatever unit of volume; the words are in the one there is now.
+// Judges every breath and writes its reason, in the present unit of volume. => result.breaths
 void judge(Segmentation& result, const std::vector<double>& shifts, const BreathSelection& selection) {
   const double usual_volume = median_of(result.breaths, tidal_volume);
   const double usual_duration = median_of(result.breaths, duration);
@@ -127,7 +127,8 @@ void judge(Segmentation& result, const std::vector<double>& shifts, const Breath
   overrule(result.breaths, selection, result.source);
 }
 
-// Makes the median of the kept breaths (of all, where none is kept) the volume given.
+// Scales all volumes so that the median of the kept breaths (of all, if none is kept) is the given one. =>
+// result
 void calibrate(Segmentation& result, double tidal_volume_m3) {
   std::vector<Breath> kept;
   for (const Breath& breath : result.breaths)
@@ -147,8 +148,8 @@ void subtract_baseline(VolumeSignal& signal, const KnotLine& rest, double drift)
   for (std::size_t i = 0; i < signal.time_s.size(); ++i) signal.volume[i] -= rest(signal.time_s[i], drift);
 }
 
-/// Lungs rest empty: a signal that spends clearly more time above three quarters of its breaths than below
-/// one quarter is probably upside down (our choice: half as much again).
+// Lungs rest near their lowest volume. A signal that spends 1.5 times as long above three quarters of its
+// breaths as below one quarter is probably inverted (our choice).
 bool rests_full(const Segmentation& s) {
   double low = 0, high = 0;
   for (const Breath& b : s.breaths)
@@ -174,8 +175,8 @@ void add_notes(Segmentation& result, double drift_of_tidal_volume) {
                            " after the last whole breath");
   if (rests_full(result))
     result.notes.push_back(
-        "the signal rests near its highest values, as lungs do not: is it positive on expiration? Then use "
-        "--invert");
+        "the signal rests near its highest values, but lungs rest near their lowest: if it is positive on "
+        "expiration, use --invert");
 }
 
 }  // namespace

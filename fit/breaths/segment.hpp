@@ -9,28 +9,28 @@
 
 namespace trunk {
 
-/// A trace as volume without drift, and its breaths in order: one ends where the next begins.
+/// A trace as volume without drift, and its breaths in order: each ends where the next one begins.
 struct Segmentation {
   std::vector<double> time_s, volume_m3;  ///< [samples] 0 at every end of expiration
-  std::vector<Breath> breaths;            ///< at least one; perhaps none kept
-  std::vector<std::string> notes;         ///< of the trace, then what was repaired, removed or looks odd
-  std::vector<double> sigma_m3;           ///< [samples] as the trace gave it, or empty
-  std::string source;                     ///< of the trace, for messages
-  bool calibrated = true;                 ///< else a belt: all that is called m3 is in units of its own
+  std::vector<Breath> breaths;            ///< at least one; possibly none is kept
+  std::vector<std::string> notes;  ///< those of the trace, then what was repaired, removed or looks odd
+  std::vector<double> sigma_m3;    ///< [samples] sigma of the trace, or empty
+  std::string source;              ///< file name of the trace, for messages
+  bool calibrated = true;          ///< false for a belt: members in m3 are in the belt's own unit
 };
 
-/// Trace => breaths: repair and integrate (volume_signal), find turning points (whole_breaths), place onsets
-/// and peaks (landmarks), remove the drift (line from one end of expiration to the next), judge every breath,
-/// follow the user's selection, scale where a tidal volume is given.
+/// Returns the breaths of a trace. The steps are: repair and integrate (volume_signal), find turning points
+/// (whole_breaths), place onsets and peaks (landmarks), remove the drift (a line from each end of expiration
+/// to the next), judge every breath, apply the user's selection, and scale if a tidal volume is given.
 ///
-/// A breath is rejected when its tidal volume or duration is under half or over twice the median, when
-/// inspiration takes less than 10 % or more than 90 % of it, or when it ends more than half a tidal volume
-/// from where it began, unlike the median, the one before and the one after (all our choice). Where none is
-/// left, mean_breath throws.
+/// A breath is rejected if its tidal volume or duration is under half or over twice the median, if
+/// inspiration takes less than 10 % or more than 90 % of it, or if it ends more than half a tidal volume from
+/// where it began while the median breath and both neighbours do not (all our choice). It is no error if all
+/// breaths are rejected; mean_breath then throws.
 ///
-/// Throws InputError with the trace's source: a constant signal, less than one whole breath, a median period
-/// outside 0.8..30 s, a median tidal volume outside 30..6000 ml (both name the unit that would make sense;
-/// the latter not of a belt, nor where a tidal volume is given), a selection of breaths that are not there.
+/// Throws InputError if the signal is constant, has no whole breath, has a median period outside 0.8 to 30 s
+/// or a median tidal volume outside 30 to 6000 ml (see plausibility.hpp; the volume is not checked for a belt
+/// or if a tidal volume is given), or if the selection names a breath that does not exist.
 Segmentation segment_breaths(const Trace& trace, const BreathSelection& selection = {});
 
 }  // namespace trunk

@@ -5,14 +5,13 @@
 #include <string_view>
 
 #include "errors/input_error.hpp"
-#include "text/message_text.hpp"
 
 namespace trunk {
 namespace {
 
 constexpr std::size_t largest_number = 999'999;
 
-// One number at the begin of `rest`, which is shortened by it; 0 where there is none in bounds.
+// Removes a number from the beginning of `rest` and returns it; returns 0 if there is none within bounds.
 std::size_t take_number(std::string_view& rest) {
   std::size_t number = 0;
   const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), number);
@@ -31,9 +30,9 @@ void check_numbers(const std::string& option, const std::vector<std::size_t>& nu
                    const std::string& source) {
   for (const std::size_t number : numbers)
     if (number > count)
-      throw InputError(source, 0,
-                       option + " names breath " + std::to_string(number) + "; expected 1 to " +
-                           std::to_string(count) + ", the whole breaths found; trunk breaths lists them");
+      throw InputError({source}, option + " names breath " + std::to_string(number),
+                       "1 to " + std::to_string(count) + ", the whole breaths found",
+                       "list them with trunk breaths");
 }
 
 }  // namespace
@@ -44,8 +43,8 @@ std::vector<std::size_t> breath_numbers(const std::string& option, const std::st
   do {
     const std::size_t first = take_number(rest), last = take(rest, '-') ? take_number(rest) : first;
     if (first == 0 || last < first || (!rest.empty() && rest.front() != ','))
-      throw InputError(option + " " + excerpt(text) +
-                       ": expected numbers of breaths from 1, as in 3,7 or 3-5");
+      throw InputError({option + " " + text.substr(0, 40)}, "these are no numbers of breaths",
+                       "numbers from 1, as in 3,7 or 3-5");
     for (std::size_t number = first; number <= last; ++number) numbers.push_back(number);
   } while (take(rest, ',') && numbers.size() <= largest_number);
   return numbers;
@@ -56,9 +55,9 @@ void overrule(std::vector<Breath>& breaths, const BreathSelection& selection, co
   check_numbers("--include", selection.included, breaths.size(), source);
   for (const std::size_t number : selection.excluded) {
     if (std::count(selection.included.begin(), selection.included.end(), number) > 0)
-      throw InputError(source, 0,
-                       "breath " + std::to_string(number) +
-                           " is named by both --exclude and --include; expected one of them");
+      throw InputError({source},
+                       "breath " + std::to_string(number) + " is named by both --exclude and --include",
+                       "one of them");
     Breath& breath = breaths[number - 1];
     if (breath.kept) breath.kept = false, breath.reason = "excluded by --exclude";
   }

@@ -37,7 +37,7 @@ Side side_after(Samples time, Samples volume, double t0, double lag) {
   return side;
 }
 
-// Sums of the volume alone; it is held from its mean on, against cancellation.
+// Sums of the volume alone, less its mean, which avoids cancellation.
 struct Whole {
   double count = 0, squares = 0;
 };
@@ -46,7 +46,7 @@ struct Solution {
   double level = 0, misfit = HUGE_VAL;
 };
 
-// The two columns are never both above zero: the normal equations are solved by hand.
+// At each time at most one of the two columns is above zero, so the normal equations have a closed solution.
 Solution solved(const Whole& whole, const Side& before, const Side& after) {
   double weight = whole.count, product = 0;
   for (const Side* side : {&before, &after}) {
@@ -70,7 +70,7 @@ struct Ends {
   double begin, end;
 };
 
-// All pairs of sample times.
+// Tries all pairs of sample times.
 Ends best_pair(Samples time, const Whole& whole, const std::vector<Side>& before,
                const std::vector<Side>& after, TurnSides sides) {
   const std::size_t n = time.size(), last_begin = sides.before ? n - 1 : 0;
@@ -83,7 +83,7 @@ Ends best_pair(Samples time, const Whole& whole, const std::vector<Side>& before
   return best;
 }
 
-// Means over so many neighbours that few are left: the cost grows with the square of the samples.
+// Returns means over groups of neighbours: the cost grows with the square of the number of samples.
 std::vector<double> thinned(Samples samples) {
   const std::size_t group = (samples.size() - 1) / most_samples + 1;
   std::vector<double> means;
@@ -120,7 +120,7 @@ Turn fit_turn(Samples all_times, Samples volume, TurnShape shape, TurnSides side
                   side_after(time, level, e.end, shape.after_s));
   };
 
-  // Between sample times: step by step, each half as long.
+  // Refines between sample times by steps that halve each round.
   Solution found = at(best);
   double step = n > 1 ? 0.5 * (time.back() - time.front()) / static_cast<double>(n - 1) : 0;
   for (int round = 0; round < 6; ++round, step /= 2)

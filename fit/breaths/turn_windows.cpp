@@ -11,9 +11,9 @@ namespace trunk {
 namespace {
 
 constexpr double bins_per_breath = 200;
-constexpr double around_turn = 0.1, around_at_most = 0.35;  // of a height: what is fitted
-constexpr double noise_share = 8;                           // so many deviations of the bins are added
-constexpr double seen = 0.5;        // of what is fitted: below, a side of the turn is not in the record
+constexpr double around_turn = 0.1, around_at_most = 0.35;  // fitted part of a height
+constexpr double noise_share = 8;                           // deviations of the bins that are added
+constexpr double seen = 0.5;        // part of the fitted height that a side of the turn must show
 constexpr double longest_side = 3;  // breaths
 constexpr int more_bins = 3;        // on either side, for sharp turns and few samples
 constexpr std::size_t many_turns = 40;
@@ -29,7 +29,7 @@ std::size_t bin_at(Samples begins, double time) {
   return static_cast<std::size_t>(std::upper_bound(begins.begin(), begins.end(), time) - begins.begin()) - 1;
 }
 
-// Where to look on either side of a turn: up to these bins and these heights above it.
+// The limits of a window on either side of a turn: bins, and heights above the turn.
 struct Reach {
   std::size_t first, last;
   double height_before, height_after;
@@ -76,8 +76,8 @@ void keep(TurnWindow& w, std::size_t first, std::size_t count) {
   w.time = w.time.subspan(first, count), w.volume = w.volume.subspan(first, count);
 }
 
-// Of what comes before the inspiration, about as much as is fitted of it: not the whole tail of an
-// expiration.
+// Shortens what comes before the inspiration to about the length of the inspiration in the window, so that
+// the long tail of an expiration does not dominate the fit.
 void shorten(TurnWindow& w, double longest_s) {
   if (!w.sides.after) return keep(w, 0, bin_at(w.time, w.time.front() + longest_s) + 1);
   const double low = *std::min_element(w.volume.begin(), w.volume.end()), high = w.volume.back();
@@ -89,7 +89,7 @@ void shorten(TurnWindow& w, double longest_s) {
   keep(w, first, w.time.size() - first);
 }
 
-// Mean log misfit, which no single odd breath decides.
+// Returns the mean log misfit, which one odd breath cannot dominate.
 double misfit_of(const std::vector<TurnWindow>& windows, TurnShape shape) {
   const std::size_t stride = windows.size() / many_turns + 1;
   double sum = 0, count = 0;

@@ -12,7 +12,7 @@ constexpr double threshold_of_rise = 0.3;
 constexpr double least_of_range = 0.001, least_of_noise = 10;
 constexpr double clearly_more = 0.1;  // of the record
 
-// A fixed point within a few rounds, as each round only adds or drops rises far from the median.
+// Reaches a fixed point within a few rounds: each round only adds or drops rises far from the median.
 std::vector<TurningPoint> settled(std::span<const double> signal, double threshold) {
   auto turns = turning_points(signal, threshold);
   for (int round = 0; round < 20; ++round) {
@@ -24,8 +24,8 @@ std::vector<TurningPoint> settled(std::span<const double> signal, double thresho
   return turns;
 }
 
-// The part of the record in cycles, trough to trough (less 1 where these are too long), whose height above
-// their rests and length are within a factor of two of the median.
+// Returns the part of the record in regular cycles, from trough to trough: those with a height above rest and
+// a length within a factor of two of the medians. It is less by 1 if the median cycle is too long.
 double regular_part(std::span<const double> signal, const std::vector<TurningPoint>& turns, double longest) {
   std::vector<double> heights, lengths;
   for (std::size_t k = turns.empty() || turns[0].peak ? 1 : 0; k + 2 < turns.size(); k += 2) {

@@ -23,19 +23,19 @@ void check_varies(const Trace& trace) {
   const auto [low, high] = std::minmax_element(trace.value.begin(), trace.value.end());
   if (*low < *high) return;
   const bool flow = trace.kind == SignalKind::flow, belt = trace.kind == SignalKind::belt;
-  throw InputError(
-      trace.source, 0,
-      "all " + std::to_string(trace.value.size()) + " samples of the " +
-          (flow   ? "flow"
-           : belt ? "belt"
-                  : "volume") +
-          " are " + value_text(trace, *low) +
-          "; expected a signal that varies with breathing; check the sensor or choose another column");
+  throw InputError({trace.source},
+                   "all " + std::to_string(trace.value.size()) + " samples of the " +
+                       (flow   ? "flow"
+                        : belt ? "belt"
+                               : "volume") +
+                       " are " + value_text(trace, *low),
+                   "a signal that varies with breathing", "check the sensor or choose another column");
 }
 
-// Samples crowd at an extreme: near it there are hardly fewer than in a range four times as wide, where a
-// smooth top leaves half and a sharp one a quarter (our choice: two thirds of them, 1 % of all). What
-// is there at a jump, as a ventilator's constant flow, is not cut off.
+// Returns a note if the signal is clipped: then nearly all samples in a range near the extreme are also in a
+// range a quarter as wide. A smooth top has half of them there, and a sharp top a quarter (our choice: 65 %
+// of them, and 1 % of all samples). A level that the signal reaches by a jump, like a ventilator's constant
+// flow, does not count.
 std::string saturation(const Trace& trace, double extreme, double range, const std::string& which) {
   const auto within = [&](std::size_t i, double distance) {
     return std::abs(trace.value[i] - extreme) <= distance * range;
@@ -51,18 +51,18 @@ std::string saturation(const Trace& trace, double extreme, double range, const s
   const double part = near / static_cast<double>(trace.value.size());
   if (near < 5 || part < 0.01 || near < 0.65 * wide || jumps > 0.5 * entries) return "";
   return number_text(100 * part, 2) + " % of the samples lie at the " + which + " value, " +
-         value_text(trace, extreme) + ": clipped, or held there";
+         value_text(trace, extreme) + ": the signal is clipped, or held there";
 }
 
 void note_saturation(const Trace& trace, std::vector<std::string>& notes) {
   const auto [low, high] = std::minmax_element(trace.value.begin(), trace.value.end());
   notes.push_back(saturation(trace, *high, *high - *low, "highest"));
-  // A volume may rest at its lowest.
+  // A volume may rest at its lowest value, so only a flow is checked there.
   if (trace.kind == SignalKind::flow) notes.push_back(saturation(trace, *low, *high - *low, "lowest"));
   std::erase(notes, "");
 }
 
-// The range without its outer 5 % on either side: what a few wild samples cannot change.
+// Returns the range without the outer 5 % on either side, so that a few wild samples do not change it.
 double central_range(std::vector<double> values) {
   const auto at = [&](double part) {
     const auto i = static_cast<std::ptrdiff_t>(part * static_cast<double>(values.size() - 1));
@@ -73,7 +73,8 @@ double central_range(std::vector<double> values) {
   return at(0.95) - low;
 }
 
-// The steps between the samples around step i (from i-1 to i), the steps in [skip_first, skip_last] excepted.
+// Returns the sizes of the three steps on either side of the steps [skip_first, skip_last]; step i goes from
+// sample i-1 to i.
 std::vector<double> steps_nearby(std::span<const double> signal, std::size_t skip_first,
                                  std::size_t skip_last) {
   constexpr std::size_t reach = 3;
@@ -84,9 +85,9 @@ std::vector<double> steps_nearby(std::span<const double> signal, std::size_t ski
   return steps;
 }
 
-// The length of a spike that begins at sample i, or 0. It leaves at once, stays on one side and comes back at
-// once, nearly to where it left. Our choice: a fifth of the central range, five times the steps nearby (their
-// median: spikes may be close), back within half its height.
+// Returns the length of a spike that begins at sample i, or 0. A spike jumps away, stays on one side and
+// jumps back, nearly to where it left. Our choice: jumps above a fifth of the central range and above five
+// times the median step nearby, and a return to within half the height.
 std::size_t spike_at(std::span<const double> signal, std::size_t i, std::size_t longest, double least) {
   const double before = signal[i - 1], up = signal[i] - before;
   if (std::abs(up) <= least) return 0;
@@ -103,7 +104,8 @@ std::size_t spike_at(std::span<const double> signal, std::size_t i, std::size_t 
   return 0;
 }
 
-// Spikes up to five samples and a tenth of a second, whichever is shorter; a single sample may last longer.
+// Repairs spikes of up to five samples and a tenth of a second, and always those of one sample. Returns how
+// many.
 std::size_t repair_spikes(std::span<const double> time, std::vector<double>& signal) {
   const double least = 0.2 * central_range(signal);
   const double step = (time.back() - time.front()) / static_cast<double>(time.size() - 1);
@@ -133,9 +135,9 @@ double largest(const std::vector<double>& values) {
   return values.empty() ? 0 : *std::max_element(values.begin(), values.end());
 }
 
-// A reset lands on zero from a distance the steps around it do not explain. Our choice: 2.5 times those
-// steps, at least 5 % of the range and 8 deviations of the noise, and zero to within 2 % of the range.
-// Smaller jumps are left: they count as drift.
+// Undoes resets and returns how many. A reset jumps to zero by more than the steps around it explain. Our
+// choice: 2.5 times those steps, at least 5 % of the range and 8 deviations of the noise, and zero to within
+// 2 % of the range. Smaller jumps stay; they count as drift.
 std::size_t remove_resets(std::vector<double>& volume) {
   const std::vector<double> raw = volume;
   const double range = central_range(raw);
@@ -145,7 +147,7 @@ std::size_t remove_resets(std::vector<double>& volume) {
   for (std::size_t i = 1; i < raw.size(); ++i) {
     const double jump = raw[i] - raw[i - 1];
     const bool lands_on_zero = std::abs(raw[i]) <= 0.02 * range;
-    // A jump is followed by ordinary steps; an outlier would step back.
+    // Ordinary steps follow a jump; an outlier would step back.
     if (lands_on_zero && std::abs(jump) > least && std::abs(jump) > 2.5 * largest(steps_nearby(raw, i, i))) {
       const double step_before = i >= 2 ? raw[i - 1] - raw[i - 2] : 0;
       offset += step_before - jump;

@@ -33,8 +33,8 @@ std::vector<double> without_line(Samples time, Samples volume) {
   return remainder;
 }
 
-// Averaged only as far as the noise asks for: 8 deviations (a noise from top to bottom) within a tenth of the
-// range.
+// Returns the volume averaged so much that 8 deviations of its noise (from lowest to highest) are within a
+// tenth of the range.
 std::vector<double> averaged_for_turns(Samples volume) {
   const auto [low, high] = std::minmax_element(volume.begin(), volume.end());
   const double allowed = 0.1 * (*high - *low) / 8;
@@ -53,13 +53,14 @@ Found turns_in(Samples time, const std::vector<double>& level) {
   return {std::move(turns), std::move(heights)};
 }
 
-// A line through many breaths shows their drift; through a few it shows where the record cuts them.
+// A line through many breaths is their drift, so it is removed; a line through a few breaths depends on where
+// the record cuts them.
 Found turns_of(Samples time, Samples volume) {
   auto found = turns_in(time, averaged_for_turns(without_line(time, volume)));
   return found.heights.size() >= many_breaths ? found : turns_in(time, averaged_for_turns(volume));
 }
 
-// Troughs between two peaks are rests.
+// Returns the troughs between two peaks: these are rests.
 std::vector<std::size_t> inner_troughs(const Turns& turns) {
   std::vector<std::size_t> inner;
   for (std::size_t k = 1; k + 1 < turns.size(); ++k)
@@ -75,7 +76,7 @@ double drift_through(Samples time, Samples volume, const std::vector<std::size_t
   return median(std::move(slopes));
 }
 
-// The drift at one end of the record, where it may differ: through the three rests there.
+// Returns the drift at one end of the record, from the three rests there, because it may differ.
 double drift_near(Samples time, Samples volume, const std::vector<std::size_t>& inner, bool front,
                   double drift) {
   constexpr std::size_t few = 3;
@@ -84,8 +85,8 @@ double drift_near(Samples time, Samples volume, const std::vector<std::size_t>& 
   return drift_through(time, volume, {begin, begin + few});
 }
 
-// The first and the last turn are rests where the record goes on beyond them, or at the level of the nearest
-// other rest.
+// Drops breaths that the record cuts. The first and the last turn are rests if the record continues beyond
+// them, or if they are at the level of the nearest other rest. => turns
 void drop_cut_breaths(Samples time, Samples volume, const std::vector<std::size_t>& inner,
                       const WholeBreaths& found, Turns& turns) {
   const auto at_rest = [&](std::size_t sample, std::size_t other) {
@@ -108,7 +109,7 @@ void drop_cut_breaths(Samples time, Samples volume, const std::vector<std::size_
   if (!turns.empty() && turns.back().peak) turns.pop_back();
 }
 
-// A last expiration ends with the record, unless the next inspiration is already seen.
+// Extends the last expiration to the end of the record, unless the next inspiration has begun. => turns
 void extend_to_end(Samples time, Samples volume, const WholeBreaths& found, Turns& turns) {
   const std::size_t end = volume.size() - 1;
   const std::size_t last = turns.back().index;

@@ -11,13 +11,13 @@ struct WholeBreaths {
   std::vector<std::size_t> trough;  ///< [n+1], or empty
   std::vector<std::size_t> peak;    ///< [n]
   double height = 0;                ///< median rise, m3
-  double drift = 0;  ///< median slope between troughs, m3/s; 0 when there are fewer than two inside
-  std::size_t inspirations = 0;  ///< rises seen, whole or cut
+  double drift = 0;                 ///< median slope between troughs, m3/s; 0 if fewer than two are inside
+  std::size_t inspirations = 0;     ///< rises seen, whole or cut
 };
 
-/// Finds them in a continuous volume (m3) at times (s), both of one length >= 10. A breath cut by the start
-/// or the end of the record counts as whole only when the volume there is within 10 % of a height of rest
-/// (our choice). No breath is a result, not an error.
+/// Returns the whole breaths of a continuous volume (m3) at times (s), at least 10 of each. A breath at the
+/// start or end of the record counts as whole only if the volume there is within 10 % of a height from rest
+/// (our choice). It is no error if there is no breath.
 WholeBreaths whole_breaths(std::span<const double> time_s, std::span<const double> volume_m3);
 
 }  // namespace trunk

@@ -6,7 +6,7 @@
 namespace trunk {
 namespace {
 
-/// Compares one thing after the other and remembers what differs.
+/// Compares parts of two files and collects the differences.
 class Comparer {
  public:
   explicit Comparer(const Tolerance& tolerance) : tolerance_(tolerance) {}
@@ -24,7 +24,7 @@ class Comparer {
     });
   }
 
-  /// Curves of the same times, or of two grids: the coarser one's times, straight between the finer one's.
+  /// Compares curves at the times of the coarser grid, with linear interpolation on the finer one.
   void curves(const std::string& group, const std::vector<double>& time_a, const std::vector<Series>& a,
               const std::vector<double>& time_b, const std::vector<Series>& b) {
     matched(group, a, b, [&](const Series& x, const Series& y) {
@@ -52,7 +52,7 @@ class Comparer {
     result_.differences.push_back({group, named.name, named.unit, 0.0, 0.0, {}, note});
   }
 
-  /// `both` sees what has the same name; what only one has is a difference.
+  /// Calls `both` for each name that both have. A name that only one of them has is a difference.
   template <class Named, class Both>
   void matched(const std::string& group, const std::vector<Named>& a, const std::vector<Named>& b,
                Both both) {
@@ -97,7 +97,7 @@ void Comparer::curve(const std::string& group, const Series& named, const std::v
     if (coarse.size() != fine.size()) add(group, named, "one of them is empty");
     return;
   }
-  constexpr double steps_apart_s = 0.05;  // the last samples of two grids may be this far from each other
+  constexpr double steps_apart_s = 0.05;  // the last samples of two grids may be this far apart
   if (std::abs(fine_times.back() - times.back()) > steps_apart_s)
     return add(group, named, "they do not last equally long");
   double highest = 0.0, farthest = -1.0;
@@ -117,7 +117,8 @@ void Comparer::curve(const std::string& group, const Series& named, const std::v
 }
 
 void Comparer::trajectories(const Trajectory& a, const Trajectory& b) {
-  if (a.particles == 0 || b.particles == 0) return;  // how much is kept of a run does not change the run
+  if (a.particles == 0 || b.particles == 0)
+    return;  // a run is the same whether its trajectory is kept or not
   ++result_.compared;
   const auto differ = [&](const std::string& note) {
     result_.differences.push_back({"trajectory", "position", "m", 0.0, 0.0, {}, note});
@@ -157,7 +158,7 @@ void add_runs(const RunRecord& a, const RunRecord& b, Comparer& comparer) {
   comparer.trajectories(a.trajectory, b.trajectory);
 }
 
-/// Best values, intervals and what was free, as names and numbers.
+/// Returns best values, intervals, and whether each parameter was free.
 std::vector<NamedValue> estimates(const FitRecord& fit) {
   std::vector<NamedValue> all;
   for (const FitRecord::Parameter& p : fit.parameters) {

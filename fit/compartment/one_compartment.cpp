@@ -13,7 +13,7 @@ namespace {
 constexpr double step_s = 2e-3;
 constexpr double slowest_rate = 0.05, fastest_rate = 50.0;  // 1/s
 
-/// V(t) for unit drive at the measured times, exact for a drive that is constant within a step.
+/// Returns V(t) for unit drive at the measured times, exact for an activation that is constant within a step.
 Eigen::VectorXd unit_response(double rate, const MeasuredCurve& curve,
                               const BreathActivation<double>& activation) {
   const auto steps = static_cast<std::size_t>(std::ceil(curve.time_s.back() / step_s)) + 1;
@@ -42,7 +42,8 @@ double residual_sum(double log_rate, void* problem) {
   return static_cast<const Problem*>(problem)->at(std::exp(log_rate)).residual_sum;
 }
 
-/// The best of a coarse grid of log rates: GSL wants an inner point below both ends of its bracket.
+/// Returns the best of a coarse grid of log rates: GSL needs a point that is lower than both ends of its
+/// bracket.
 double best_on_grid(Problem& problem, double low, double high, double spacing) {
   double best = low, lowest = residual_sum(low, &problem);
   for (double x = low + spacing; x <= high; x += spacing)

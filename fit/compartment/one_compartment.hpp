@@ -4,9 +4,9 @@
 
 namespace trunk {
 
-/// The model every physiologist knows, fitted beside ours: one compartment of resistance R and elastance E
-/// driven by the same activation, R dV/dt + E V = P_max A(t), V(0) = 0. Volume alone determines P_max/R and
-/// E/R.
+/// The standard model of respiratory mechanics, for comparison: one compartment of resistance R and elastance
+/// E, driven by the same activation A: R dV/dt + E V = P_max A(t), V(0) = 0. Volume alone determines only
+/// P_max/R and E/R.
 struct OneCompartment {
   double drive = 0.0;         // P_max / R, m3/s
   double rate = 0.0;          // E / R, 1/s
@@ -14,12 +14,12 @@ struct OneCompartment {
   Eigen::VectorXd residuals;  // [samples] m3, model minus measured
 };
 
-/// Least squares over both numbers: the drive enters linearly, the rate is found by a golden section over
-/// 0.05 to 50 per second. `curve` must be a curve.
+/// Returns the least-squares fit of drive and rate. The drive enters linearly; a golden-section search finds
+/// the rate between 0.05 and 50 per second. `curve` must hold times.
 OneCompartment fit_one_compartment(const MeasuredCurve& curve, const BreathActivation<double>& activation);
 
-/// The activation whose rise, fast and slow fall let a one-compartment model follow the curve best, all
-/// three and the rate free, from `start`. The level after the fast fall stays. `curve` must be a curve.
+/// Returns `start` with the rise, fast fall and slow fall with which a one-compartment model follows the
+/// curve best; the rate is free too. The level after the fast fall stays. `curve` must hold times.
 BreathActivation<double> timed_by_one_compartment(const MeasuredCurve& curve,
                                                   const BreathActivation<double>& start);
 

@@ -12,7 +12,7 @@
 namespace trunk {
 namespace {
 
-constexpr double coarse = 1e-3;        // where a first search may stop: another one follows
+constexpr double coarse = 1e-3;        // tolerance of a first search: another one follows
 constexpr double close_enough = 1e-4;  // in coordinates, between two methods
 constexpr std::size_t most_without_derivatives = 4;
 
@@ -24,7 +24,7 @@ Indices first_ones(std::size_t count) {
   return indices;
 }
 
-/// What a method without derivatives can check: the mechanical ones asked for, in the end a handful.
+/// Returns the mechanical parameters asked for: few enough for a method without derivatives.
 Indices mechanical(const SearchSpace& space) {
   Indices indices;
   for (std::size_t i = 0; i < space.asked_for(); ++i)
@@ -41,7 +41,7 @@ class Fitting {
         options_(options),
         result_(result),
         problem_(objective.problem()) {
-    // Unless asked for by name: differences, side by side in lanes on all cores, take a third of the time.
+    // By default use differences: side by side in lanes on all cores they take a third of the time.
     if (options.search.algorithm.empty()) problem_.exact_slopes = nullptr;
     if (options.search.algorithm.empty())
       result.algorithm =
@@ -68,7 +68,7 @@ class Fitting {
     return (*objective_.model(x) - objective_.measured()).cwiseQuotient(objective_.deviation());
   }
 
-  /// A search over some coordinates, the others held at those of `at`; the result has all.
+  /// Searches over the `free` coordinates; the others keep their values in `at`. The result has all of them.
   SearchResult search(const Indices& free, const Eigen::VectorXd& at, const Eigen::VectorXd& from,
                       const SearchOptions& options) {
     const LeastSquares part = with_fixed(problem_, at, free);
@@ -100,7 +100,7 @@ class Fitting {
     }
   }
 
-  /// From a coarse optimum to the best point, by two methods.
+  /// Goes from a coarse optimum to the best point by two methods.
   void finish() {
     const Eigen::VectorXd coarse_best = result_.search.best;
     if (result_.algorithm != "lm" || space_.size() > space_.asked_for() || options_.loss != Loss::squares) {
@@ -144,14 +144,14 @@ class Fitting {
   LeastSquares problem_;
 };
 
-/// What simulations take on an ordinary machine: a number of the problem and not of the machine's mood, so
-/// that the same fit always has the same parts (our choice: 60 ns a particle and step, two cores).
+/// Returns about how long simulations take on an ordinary machine. It depends only on the problem, so the
+/// same fit always has the same parts (our choice: 60 ns per particle and step, two cores).
 double seconds_for(std::size_t simulations, std::size_t particles, int steps) {
   return 0.5 * 60e-9 * static_cast<double>(particles) * steps * static_cast<double>(simulations);
 }
 
-/// A profile that stays low up to where it was looked at says what the interval of a linear model cannot.
-/// Under a robust loss it is too flat to say so.
+/// A parameter whose profile is open is not identifiable, whatever the interval of the linear model is.
+/// Profiles under a robust loss are too flat for this conclusion.
 void apply_profiles(const std::vector<Profile>& profiles, Loss loss, Uncertainty& u) {
   if (loss != Loss::squares || profiles.empty()) return;
   for (std::size_t i = 0; i < profiles.size(); ++i) {
@@ -172,7 +172,7 @@ void add_uncertainty(Objective& objective, const EstimationOptions& options, std
   }
   e.local = local_fit(objective, e.search.best);
   if (!e.local) {
-    e.notes.push_back("the model cannot be simulated beside the best point: no uncertainty");
+    e.notes.push_back("no uncertainty: the simulation fails near the best point");
     return;
   }
   e.uncertainty = assess(objective, *e.local);

@@ -38,14 +38,14 @@ std::string caveat(const Quality& q, double residual_autocorrelation) {
   const double usual = 0.05, small = 0.01, smooth = 0.95;
   if (q.nrmse > small && q.nrmse < usual && residual_autocorrelation > smooth)
     return fmt::format(
-        " What is left ({:.1f} % of tidal volume) is smooth, not noise: the model's course of the activation "
-        "does not quite fit, and the numbers would move by more than their intervals with another (--free "
-        "k_elasticity,k_muscle,timing,fast_fall_level,shape shows how far).",
+        " The residual ({:.1f} % of tidal volume) is smooth, so it is not noise: the shape of the activation "
+        "does not quite fit. With another shape the parameters would change by more than their intervals; "
+        "--free k_elasticity,k_muscle,timing,fast_fall_level,shape shows by how much.",
         100.0 * q.nrmse);
   if (q.baseline_nrmse <= 0.0 || q.nrmse < std::max(usual, 2.0 * q.baseline_nrmse)) return "";
   return fmt::format(
-      " The model follows this breath poorly ({:.1f} % of tidal volume, a one-compartment model {:.1f} %): "
-      "trust its numbers less than their intervals say.",
+      " The model follows this breath poorly: its residual is {:.1f} % of tidal volume, and that of a "
+      "one-compartment model is {:.1f} %. So its parameters are less certain than their intervals.",
       100.0 * q.nrmse, 100.0 * q.baseline_nrmse);
 }
 

@@ -25,7 +25,7 @@ void adopt_timing(const MeasuredBreath& breath, Scenario& scenario) {
   a.fast_fall_s = std::max(shortest_s, breath.time_s[fallen] - breath.time_s[peak]);
   a.slow_fall_s = std::max(shortest_s, breath.duration_s - breath.time_s[fallen]);
   a = timed_by_one_compartment(measured_curve_of(breath), a);
-  for (const FreeParameter& p : free_parameters()) {  // a fit begins inside its bounds
+  for (const FreeParameter& p : free_parameters()) {  // a fit must start within its bounds
     if (p.group != FreeParameter::Group::timing) continue;
     Candidate c{scenario.parameters, a};
     p.field(c) = std::clamp(p.field(c), p.lower, p.upper);
@@ -43,9 +43,10 @@ Eigen::VectorXd start_at_tidal_volume(Objective& objective, const Eigen::VectorX
   Eigen::VectorXd x = start;
   for (int steps = 0; steps < 8; ++steps) {
     const auto curve = objective.model(x);
-    const double model = curve ? curve->maxCoeff() : 4.0 * measured;  // failed: far too strong
+    const double model =
+        curve ? curve->maxCoeff() : 4.0 * measured;  // it failed, so the muscle is far too strong
     if (std::abs(model / measured - 1.0) < 0.02) return x;
-    // The volume grows about as the ratio does.
+    // The volume is about proportional to the ratio.
     x[ratio] = std::clamp(x[ratio] + std::log(measured / std::max(model, 0.02 * measured)), lowest, highest);
   }
   return x;

@@ -48,7 +48,7 @@ std::string breath(const FitRecord& fit) {
   return table.csv();
 }
 
-/// Every `stride`-th value, from the one at `first`.
+/// Returns every `stride`-th value from index `first` on.
 Doubles strided(const Doubles& all, std::size_t first, std::size_t stride) {
   Doubles some;
   for (std::size_t i = first; i < all.size(); i += stride) some.push_back(all[i]);
@@ -106,7 +106,7 @@ std::string surface(const FitRecord::Surface& s) {
 std::string fitted_breaths(const FitRecord& fit) {
   CsvTable table;
   for (const NamedColumn& c : fit.breaths) {
-    // Most names end in their unit already.
+    // Most names already end in their unit.
     const std::string unit = unit_suffix(c.unit);
     table.add(c.name, c.name.ends_with(unit) ? "" : c.unit, c.values);
   }

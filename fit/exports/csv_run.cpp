@@ -16,7 +16,7 @@ std::vector<std::string> words(const std::vector<std::int32_t>& codes,
   return result;
 }
 
-/// A row a particle and frame.
+/// Returns one row for each particle and frame.
 std::string positions(const Trajectory& t) {
   std::string text = "time_s,particle,x_m,y_m,z_m";
   if (!t.velocity_m_s.empty()) text += ",vx_m_per_s,vy_m_per_s,vz_m_per_s";

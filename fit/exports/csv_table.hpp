@@ -9,16 +9,19 @@
 
 namespace trunk {
 
-/// A unit as the end of a column's name: "ml" => "_ml", "N m-1" => "_N_per_m", a pure number nothing.
+/// Returns the ending of a column's name for a unit: "_ml" for "ml", "_N_per_m" for "N m-1", "" for a pure
+/// number.
 std::string unit_suffix(const std::string& unit);
 
-/// A number with all its digits, NaN as nothing; a text, in quotes where it needs them.
+/// Returns a number with all its digits, or "" for NaN.
 std::string csv_cell(double value);
+/// Returns a text, in quotes if it holds commas, quotes or line ends.
 std::string csv_cell(const std::string& text);
 
-/// Columns side by side, all as long as the first; one of another length, or empty, is left out.
+/// A table of columns, all as long as the first one.
 class CsvTable {
  public:
+  /// Adds a column. A column that is empty, or not as long as the first one, is left out.
   template <class Value>
   void add(const std::string& name, const std::string& unit, const std::vector<Value>& values) {
     if (values.empty() || (!cells_.empty() && values.size() != cells_.size())) return;
@@ -33,6 +36,7 @@ class CsvTable {
     }
   }
 
+  /// Returns the header and the rows.
   std::string csv() const;
 
  private:
@@ -40,7 +44,7 @@ class CsvTable {
   std::vector<std::string> cells_;
 };
 
-/// One member of each record.
+/// Returns one member of each record; `member` is a pointer to a member or a function.
 template <class Record, class Member>
 auto each(const std::vector<Record>& records, Member member) {
   std::vector<std::decay_t<std::invoke_result_t<Member, const Record&>>> values;
@@ -48,7 +52,10 @@ auto each(const std::vector<Record>& records, Member member) {
   return values;
 }
 
+/// Returns a table with the columns name, value and unit.
 std::string names_and_numbers(const std::vector<NamedValue>& numbers);
+
+/// Returns a table with a column of times, s, and one column for each series.
 std::string series_over_time(const std::vector<double>& time_s, const std::vector<Series>& series);
 
 }  // namespace trunk

@@ -7,16 +7,16 @@
 
 namespace trunk {
 
-/// A run as tables: curves, frames, positions, particles, triangles, fibres, measures, parameters; those of
-/// the trajectory only where there is one. Headers carry units (time_s, dV_model_ml), numbers all their
-/// digits, what is not known is an empty cell.
+/// Returns a run as tables: curves, measures, parameters, and, if there is a trajectory, frames, positions,
+/// particles, triangles and fibres. Headers carry units (time_s, dV_model_ml), and numbers have all their
+/// digits. An unknown number is an empty cell.
 std::vector<NamedText> csv_tables(const RunRecord& run);
 
-/// Those of its trajectory alone.
+/// Returns the tables of the trajectory alone; none if there is no trajectory.
 std::vector<NamedText> csv_trajectory_tables(const RunRecord& run);
 
-/// A fit as tables: parameters, statistics, breath, evaluations, and as there are starts, profiles, surface,
-/// breaths, predictions; those of its best run as above.
+/// Returns a fit as tables: parameters, statistics, breath, evaluations, the measures, curves and trajectory
+/// of its best run, and, if the fit has them, starts, profiles, surface, breaths and predictions.
 std::vector<NamedText> csv_tables(const FitRecord& fit);
 
 }  // namespace trunk

@@ -4,7 +4,7 @@
 
 namespace trunk {
 
-/// A file to be: its name within a folder, which may have folders of its own, and all its bytes.
+/// A file to write: its path within a folder, and its content.
 struct NamedText {
   std::string name, text;
 };

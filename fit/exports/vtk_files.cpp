@@ -12,7 +12,7 @@ namespace {
 
 using Out = std::back_insert_iterator<std::string>;
 
-/// "%.10g" is a tenth of a nanometre in a metre.
+/// Ten digits resolve a tenth of a nanometre in a metre.
 void add_numbers(const char* name, int components, std::span<const double> values, std::string& xml) {
   fmt::format_to(Out(xml),
                  "<DataArray type=\"Float64\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"ascii\">\n",
@@ -42,7 +42,7 @@ void add_cells(const char* kind, const Cells& cells, std::string& xml) {
   fmt::format_to(Out(xml), "</{}>\n", kind);
 }
 
-/// What is the same in all frames: everything but points and their data.
+/// Returns the part that is the same in all frames: the cells and their data.
 std::string mesh(const Trajectory& t) {
   std::string xml;
   add_cells("Lines", t.fibres, xml);
@@ -83,7 +83,7 @@ std::string frame(const Trajectory& t, std::size_t number, const std::string& sa
 
 std::vector<NamedText> vtk_files(const Trajectory& t, const std::string& file) {
   if (t.particles == 0 || t.time_s.empty())
-    throw InputError(file, 0, "has no trajectory, expected a run simulated without --every 0");
+    throw InputError({file}, "has no trajectory", "a run simulated without --every 0");
   const std::string same_in_all = mesh(t);
   std::vector<NamedText> files;
   std::string list = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n<Collection>\n";
@@ -102,8 +102,7 @@ std::string surface_vtp(std::span<const double> points,
   std::string xml = fmt::format(
       "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" "
       "header_type=\"UInt64\">\n<PolyData>\n<Piece NumberOfPoints=\"{}\" NumberOfVerts=\"0\" "
-      "NumberOfLines=\"0\" "
-      "NumberOfStrips=\"0\" NumberOfPolys=\"{}\">\n<PointData>\n",
+      "NumberOfLines=\"0\" NumberOfStrips=\"0\" NumberOfPolys=\"{}\">\n<PointData>\n",
       points.size() / 3, triangles.size());
   for (const NamedColumn& column : columns) add_numbers(column.name.c_str(), 1, column.values, xml);
   xml += "</PointData>\n<Points>\n";

@@ -24,17 +24,15 @@ struct Ledger::File {
   [[noreturn]] void fail() const {
     const int code = sqlite3_errcode(database.get());
     const std::string message = sqlite3_errmsg(database.get());
+    const Place at{path.string()};
     if (code == SQLITE_NOTADB || code == SQLITE_ERROR || code == SQLITE_CORRUPT)
-      throw InputError(path.string(), 0,
-                       "is not a ledger of this program (" + message +
-                           "), expected none or one of an interrupted fit: "
-                           "delete it or name another result");
+      throw InputError(at, "is not a ledger of this program (" + message + ")",
+                       "no file, or the ledger of an interrupted fit", "delete it or name another result");
     if (code == SQLITE_BUSY || code == SQLITE_LOCKED)
-      throw InputError(path.string(), 0,
-                       "is in use: another fit is writing this result, expected one at a time");
-    throw InputError(
-        path.string(), 0,
-        "cannot be written: " + message + "; check the space on the disk and the rights on the folder");
+      throw InputError(at, "is in use: another fit is writing this result", "one fit at a time",
+                       "wait for the other fit, or name another result");
+    throw InputError(at, "cannot be written: " + message, "",
+                     "check the space on the disk and the rights on the folder");
   }
   void execute(const char* sql) const {
     if (sqlite3_exec(database.get(), sql, nullptr, nullptr, nullptr) != SQLITE_OK) fail();
@@ -44,7 +42,7 @@ struct Ledger::File {
     if (sqlite3_prepare_v2(database.get(), sql, -1, &statement, nullptr) != SQLITE_OK) fail();
     return {statement, &sqlite3_finalize};
   }
-  /// False at the end of the rows.
+  /// Returns false at the end of the rows.
   bool step(const Statement& statement) const {
     const int code = sqlite3_step(statement.get());
     if (code != SQLITE_ROW && code != SQLITE_DONE) fail();
@@ -82,7 +80,7 @@ Ledger::Ledger(const std::filesystem::path& path, const std::string& problem)
   try {
     open(problem);
   } catch (...) {
-    if (is_new) discard();  // nothing is worth keeping
+    if (is_new) discard();  // it holds nothing yet
     throw;
   }
 }
@@ -93,7 +91,7 @@ void Ledger::open(const std::string& problem) {
   const int opened = sqlite3_open(path.c_str(), &database);
   file_->database.reset(database);
   if (opened != SQLITE_OK) file_->fail();
-  // The process may be killed at any time and the entry stays; the machine may not.
+  // An entry outlives a process that is killed, but not a machine that loses power.
   file_->execute(
       "PRAGMA synchronous = OFF; PRAGMA locking_mode = EXCLUSIVE; BEGIN IMMEDIATE;"
       "CREATE TABLE IF NOT EXISTS problem (text TEXT);"
@@ -142,8 +140,8 @@ void Ledger::discard() {
   file_.reset();
   std::error_code ignored;
   std::filesystem::remove(path, ignored);
-  std::filesystem::remove(path.string() + "-journal",
-                          ignored);  // SQLite's, where a process was killed as it wrote
+  // SQLite leaves this file if its process is killed while it writes.
+  std::filesystem::remove(path.string() + "-journal", ignored);
 }
 
 }  // namespace trunk

@@ -11,10 +11,10 @@
 
 namespace trunk {
 
-/// Calls work(item) for every item on `threads` threads (0: one a core) and take(result) for each result on
-/// the calling thread, in order of arrival. Results wait in a short queue, so that memory does not grow when
-/// taking is slower than working. `work` must not throw; an exception of `take` ends the work and is passed
-/// on.
+/// Calls work(item) for every item on `threads` threads (0: one thread per core). Calls take(result) for each
+/// result on the calling thread, in order of arrival. Results wait in a short queue, so memory does not grow
+/// if `take` is slower than `work`. The work ends early once `cancelled` returns true. `work` must not throw;
+/// an exception of `take` ends the work and is thrown again.
 template <class Result>
 void work_off(const std::vector<std::size_t>& items, unsigned threads, const std::function<bool()>& cancelled,
               const std::function<Result(std::size_t)>& work, const std::function<void(Result)>& take) {

@@ -2,15 +2,13 @@
 
 #include <fmt/format.h>
 
-#include "errors/input_error.hpp"
-
 namespace trunk {
 namespace {
 
 using Group = FreeParameter::Group;
 using Scale = FreeParameter::Scale;
 
-// What the trace tells of the timing beforehand, and how far a knot may leave its line (our choice).
+// Priors (our choice): how exactly a trace gives the timing, and how far a knot may leave its line.
 constexpr double timing_prior = 0.5, onset_prior_s = 0.1, shape_prior = 1.0;
 
 template <std::size_t Knot>
@@ -30,8 +28,7 @@ FreeParameter knot(std::string_view name, std::string_view key) {
 
 std::span<const FreeParameter> free_parameters() {
   static const FreeParameter all[] = {
-      // Abdominal pressure swings in quiet breathing grow with k_elasticity, about 1 to 40 cmH2O between
-      // these.
+      // Between these bounds the abdominal pressure swings in quiet breathing are about 1 to 40 cmH2O.
       {"k_elasticity", "N/m", "parameters.k_elasticity_N_per_m", 400.0, 16000.0, Group::mechanics,
        [](Candidate& c) -> double& { return c.parameters.elasticity; }},
       {"k_muscle", "N/m", "parameters.k_muscle_N_per_m", 0.01, 1e4, Group::mechanics,
@@ -63,23 +60,23 @@ std::span<const FreeParameter> free_parameters() {
   return all;
 }
 
-const FreeParameter& free_parameter(const std::string& name) {
+const FreeParameter& free_parameter(const std::string& name, const Place& at) {
   std::string names;
   for (const FreeParameter& p : free_parameters()) {
     if (p.name == name) return p;
     if (p.group != Group::shape) names += std::string(p.name) + ", ";
   }
-  throw InputError(fmt::format(
-      "there is no parameter '{}' to fit, expected one of {}timing (onset, rise and falls) or shape "
-      "(shape_rise_1 to _5, shape_fast_fall_1, shape_slow_fall_1 to _3)",
-      name, names));
+  throw InputError(at, fmt::format("there is no parameter '{}' to fit", name),
+                   fmt::format("one of {}timing (onset, rise and falls) or shape (shape_rise_1 to _5, "
+                               "shape_fast_fall_1, shape_slow_fall_1 to _3)",
+                               names));
 }
 
 std::vector<std::string> parameter_names(const std::vector<std::string>& given) {
   std::vector<std::string> names;
   for (const std::string& name : given) {
     const bool timing = name == "timing", shape = name == "shape";
-    if (!timing && !shape) names.emplace_back(free_parameter(name).name);
+    if (!timing && !shape) names.emplace_back(free_parameter(name, {"--free " + name}).name);
     for (const FreeParameter& p : free_parameters())
       if ((timing && p.group == Group::timing) || (shape && p.group == Group::shape))
         names.emplace_back(p.name);

@@ -6,16 +6,18 @@
 #include <vector>
 
 #include "dynamics/trial.hpp"
+#include "errors/input_error.hpp"
 
 namespace trunk {
 
-/// What a fit tries out: mechanical parameters and activation.
+/// One set of values that a fit tries: mechanical parameters and activation.
 using Candidate = Trial<double>;
 
-/// A parameter that may be fitted, in its natural unit, within bounds wide enough for any adult (our choice).
+/// A parameter that can be fitted, in its natural unit. The bounds are wide enough for any adult (our
+/// choice).
 struct FreeParameter {
   enum class Group { mechanics, timing, shape };
-  /// How a search steps: by factors (all that is positive), or by amounts.
+  /// A search changes positive parameters by factors, and others by amounts.
   enum class Scale { factor, amount };
 
   std::string_view name, unit, scenario_key;
@@ -23,20 +25,22 @@ struct FreeParameter {
   Group group;
   double& (*field)(Candidate&);
   Scale scale = Scale::factor;
-  /// Standard deviation about the start, of the natural logarithm or of the amount; 0: nothing is known
-  /// beforehand.
+  /// Standard deviation of the prior about the start, of the natural logarithm or of the amount; 0: no prior.
   double prior = 0.0;
 };
 
+/// Returns all parameters that can be fitted, in the order of results tables.
 std::span<const FreeParameter> free_parameters();
 
-/// Throws InputError, listing the names there are.
-const FreeParameter& free_parameter(const std::string& name);
+/// Returns the parameter of that name; throws InputError with the known names if there is none. `at` is where
+/// the name stands.
+const FreeParameter& free_parameter(const std::string& name, const Place& at = {});
 
-/// Names as a user gives them => names of parameters: `timing` stands for onset, rise and falls, `shape` for
-/// all inner knots of the activation. Throws InputError on an unknown name.
+/// Returns names of parameters for the names given to --free: `timing` stands for onset, rise and both falls,
+/// `shape` for all inner knots of the activation. Throws InputError if a name is unknown.
 std::vector<std::string> parameter_names(const std::vector<std::string>& given);
 
+/// Returns the value of the parameter in the candidate, in its natural unit.
 double value_of(const FreeParameter& parameter, const Candidate& candidate);
 
 }  // namespace trunk

@@ -44,7 +44,7 @@ Eigen::VectorXd robust_residuals(const Eigen::VectorXd& residuals, Loss loss, do
 Eigen::VectorXd robust_slopes(const Eigen::VectorXd& residuals, Loss loss, double scale) {
   if (loss == Loss::squares) return Eigen::VectorXd::Ones(residuals.size());
   return residuals.unaryExpr([&](double r) {
-    const double z = std::max(std::abs(r / scale), 1e-6);  // even, and smooth at 0
+    const double z = std::max(std::abs(r / scale), 1e-6);  // the slope is even, and finite at 0
     return half_loss_slope(z, loss) / std::sqrt(loss_of(z, loss));
   });
 }

@@ -11,6 +11,17 @@
 #include "parallel/workers.hpp"
 
 namespace trunk {
+namespace {
+
+/// Returns the grid of 1 ms on which a failed simulation is tried again; none if it did not fail, or if its
+/// time step was not longer.
+std::optional<TimeGrid> finer(const TimeGrid& grid, const Ending& ending) {
+  constexpr double fine_s = 1e-3;
+  if (ending.completed() || grid.dt_s <= fine_s) return std::nullopt;
+  return TimeGrid{fine_s, grid.duration_s, grid.damping};
+}
+
+}  // namespace
 
 std::string ledger_key(const Candidate& c) {
   Candidate copy = c;
@@ -28,12 +39,12 @@ Objective::Objective(const Trunk& trunk, const TimeGrid& grid, const SearchSpace
     : trunk_(trunk), grid_(grid), space_(space), curve_(measured), ledger_(ledger), execution_(execution) {
   if (!measured.is_tidal_volume() &&
       (measured.time_s.empty() || measured.time_s.size() != measured.delta_v.size()))
-    throw InputError("the measured curve has no samples");
+    throw InputError({}, "the measured curve has no samples", "a volume at each time");
   if (!measured.time_s.empty() && measured.time_s.back() > grid.duration_s + grid.dt_s)
-    throw InputError(
-        fmt::format("the measured curve lasts {:.3f} s, the simulation {:.3f} s; expected the "
-                    "simulation to cover it",
-                    measured.time_s.back(), grid.duration_s));
+    throw InputError({},
+                     fmt::format("the measured curve lasts {:.3f} s, the simulation {:.3f} s",
+                                 measured.time_s.back(), grid.duration_s),
+                     "a simulation as long as the curve");
   measured_ =
       Eigen::VectorXd::Map(measured.delta_v.data(), static_cast<Eigen::Index>(measured.delta_v.size()));
   deviation_ = sample_deviation(measured);
@@ -47,13 +58,6 @@ LeastSquares Objective::problem() {
 void Objective::use_loss(Loss loss, double scale) {
   loss_ = loss;
   loss_scale_ = scale;
-}
-
-/// What was too stiff for a time step longer than 1 ms may be simulated in shorter ones.
-std::optional<TimeGrid> finer(const TimeGrid& grid, const Ending& failed) {
-  constexpr double fine_s = 1e-3;
-  if (failed.completed() || grid.dt_s <= fine_s) return std::nullopt;
-  return TimeGrid{fine_s, grid.duration_s, grid.damping};
 }
 
 std::vector<LedgerEntry> Objective::simulate(const std::vector<Candidate>& candidates) const {
@@ -72,7 +76,7 @@ std::vector<LedgerEntry> Objective::simulate(const std::vector<Candidate>& candi
   return entries;
 }
 
-/// The model at the measured samples along each coordinate, one after the other.
+/// Returns the derivative of the model at the measured samples, one coordinate after the other.
 LedgerEntry Objective::simulate_slopes(const Eigen::VectorXd& x, const Candidate& candidate) const {
   const auto start = std::chrono::steady_clock::now();
   TimeGrid grid = grid_;
@@ -92,7 +96,7 @@ LedgerEntry Objective::simulate_slopes(const Eigen::VectorXd& x, const Candidate
   return entry;
 }
 
-/// The ledger is a file like any other: what it holds is looked at before it is believed.
+/// The ledger may be damaged like any file, so every entry is checked before it is used.
 bool Objective::usable(const LedgerEntry* entry, std::size_t count) const {
   if (entry == nullptr) return false;
   const auto completed = static_cast<std::int32_t>(Ending::Status::completed);
@@ -113,7 +117,7 @@ void Objective::simulate_missing(const std::vector<Candidate>& candidates,
       missing.push_back(i);
   const auto cancelled = [&] { return execution_.cancelled && execution_.cancelled(); };
   if (cancelled()) throw Cancelled();
-  // As many side by side as lanes; fewer where a thread would have nothing to do.
+  // One simulation per lane, but fewer at once if a thread would otherwise have nothing to do.
   const std::size_t threads =
       execution_.threads > 0 ? execution_.threads : std::max(1u, std::thread::hardware_concurrency());
   const std::size_t share = (missing.size() + threads - 1) / threads;
@@ -196,7 +200,7 @@ Slopes Objective::slopes(const Eigen::VectorXd& x) {
   Eigen::MatrixXd all(samples() + known.size(), coordinates);
   all.topRows(samples()) =
       weight.asDiagonal() * Eigen::MatrixXd::Map(entry.values.data(), samples(), coordinates);
-  for (Eigen::Index i = 0; i < coordinates; ++i)  // linear: a difference is exact
+  for (Eigen::Index i = 0; i < coordinates; ++i)  // priors are linear, so a difference is exact
     all.col(i).tail(known.size()) = space_.prior_residuals(x + Eigen::VectorXd::Unit(coordinates, i)) - known;
   return all;
 }
@@ -206,7 +210,7 @@ std::optional<Eigen::VectorXd> Objective::model(const Eigen::VectorXd& x) {
 }
 
 std::vector<std::optional<Eigen::VectorXd>> Objective::models(const std::vector<Eigen::VectorXd>& some) {
-  outcomes(some);  // for the record
+  outcomes(some);  // enters the simulations in evaluations_
   std::vector<Candidate> candidates;
   for (const Eigen::VectorXd& x : some) candidates.push_back(space_.decode(x));
   std::vector<std::optional<Eigen::VectorXd>> result;

@@ -12,41 +12,43 @@
 
 namespace trunk {
 
-/// One simulation asked for by a fit, kept for the record whether it worked or not.
+/// One simulation that a fit asked for, completed or failed.
 struct Evaluation {
   Candidate candidate;
-  double objective = 0.0;  // deviations squared, with what is known beforehand; a penalty where it failed
+  double objective = 0.0;  // sum of squared deviations and priors; a penalty if the simulation failed
   Ending::Status status = Ending::Status::unset;
   double wall_s = 0.0;
 };
 
-/// How simulations are carried out.
+/// How simulations are run.
 struct Execution {
-  unsigned threads = 0;  // 0: one a core
+  unsigned threads = 0;  // 0: one per core
   std::function<bool()> cancelled;
-  std::function<void(std::size_t)> progress;  // told the number of simulations
+  std::function<void(std::size_t)> progress;  // called with the number of simulations so far
 };
 
 /// The distance between a candidate's lung volume and the measured one (paper, "Estimation of the model
-/// parameters", steps 2 and 3), as a least-squares problem in the coordinates of a search space. What was
-/// simulated before is looked up in the ledger. Residuals: those of the curve in deviations, then what is
-/// known beforehand.
+/// parameters", steps 2 and 3), as a least-squares problem in the coordinates of a search space. A simulation
+/// that is in the ledger is not run again. The residuals are those of the curve in deviations, then the
+/// priors.
 class Objective {
  public:
-  /// All must outlive the objective. Throws InputError where the measured is empty or longer than the grid.
+  /// All arguments must outlive the objective. Throws InputError if the curve is empty or longer than the
+  /// grid.
   Objective(const Trunk& trunk, const TimeGrid& grid, const SearchSpace& space, const MeasuredCurve& measured,
             Ledger& ledger, const Execution& execution = {});
 
-  /// Throws Cancelled where the execution is told to stop. Where the simulation failed, the objective is a
-  /// finite penalty that falls the longer the simulation lasted: NLopt 2.7.1 takes NaN or infinity for
-  /// success.
+  /// Returns the problem for a search. It throws Cancelled once the execution is cancelled. If a simulation
+  /// fails, its objective is a finite penalty, smaller for a simulation that lasted longer: NLopt 2.7.1 takes
+  /// NaN or infinity for success.
   LeastSquares problem();
 
-  /// The model at the measured samples, m3; none where the simulation failed.
+  /// Returns the model at the measured samples, m3; none if the simulation fails.
   std::optional<Eigen::VectorXd> model(const Eigen::VectorXd& x);
-  /// The same for several, side by side.
+  /// Returns the same for several points, simulated side by side.
   std::vector<std::optional<Eigen::VectorXd>> models(const std::vector<Eigen::VectorXd>& some);
 
+  /// Applies this loss from now on; see robust_residuals.
   void use_loss(Loss loss, double scale);
 
   Eigen::Index samples() const noexcept { return measured_.size(); }
@@ -56,7 +58,7 @@ class Objective {
   const SearchSpace& space() const noexcept { return space_; }
 
   const std::vector<Evaluation>& evaluations() const noexcept { return evaluations_; }
-  std::size_t simulated() const noexcept { return simulated_; }  // not counting what the ledger knew
+  std::size_t simulated() const noexcept { return simulated_; }  // without those found in the ledger
   int failures() const noexcept;
 
  private:
@@ -83,7 +85,7 @@ class Objective {
   std::size_t simulated_ = 0;
 };
 
-/// The parameters and the activation as bytes: what the ledger knows a simulation by.
+/// Returns the key of a simulation in the ledger: parameters and activation as bytes.
 std::string ledger_key(const Candidate& candidate);
 
 }  // namespace trunk

@@ -22,14 +22,15 @@ std::vector<const FreeParameter*> in_table_order(const std::vector<std::string>&
   for (const std::string& name : names) free_parameter(name);
   for (const FreeParameter& p : free_parameters())  // k_elasticity comes before k_muscle
     if (const auto count = std::count(names.begin(), names.end(), p.name); count > 1)
-      throw InputError(fmt::format("parameter '{}' is named twice", p.name));
+      throw InputError({fmt::format("--free {}", p.name)},
+                       fmt::format("parameter '{}' is named twice", p.name), "each name once");
     else if (count == 1)
       found.push_back(&p);
   return found;
 }
 
-/// The logarithms of a phase's knots with those that end it, which the shape leaves alone; a phase that
-/// begins or ends at height 0 has no height to keep there.
+/// Returns the logarithms of the knots of rise, fast fall and slow fall. A phase includes the fixed knots at
+/// its ends, except where its height is 0, which has no logarithm.
 std::vector<std::vector<double>> phases(const std::array<double, ShapeKnots::count>& shape) {
   const auto logs = [&](std::size_t from, std::size_t count) {
     std::vector<double> s;
@@ -53,10 +54,11 @@ std::vector<double> bends(const std::array<double, ShapeKnots::count>& shape) {
   return all;
 }
 
-void require_within(const FreeParameter& p, double value, const char* what, std::string_view where) {
+void require_within(const FreeParameter& p, double value, const char* what, const Place& at,
+                    const std::string& remedy) {
   if (value >= p.lower && value <= p.upper) return;
-  throw InputError(fmt::format("{} {} {:g} {}, expected {:g} to {:g}: change {}", p.name, what, value, p.unit,
-                               p.lower, p.upper, where));
+  throw InputError(at, fmt::format("{} {} {:g} {}", p.name, what, value, p.unit),
+                   fmt::format("{:g} to {:g}", p.lower, p.upper), remedy);
 }
 
 }  // namespace
@@ -65,12 +67,13 @@ SearchSpace::SearchSpace(const std::vector<std::string>& names, const Candidate&
                          const std::vector<std::string>& beside, const std::vector<Prior>& priors)
     : parameters_(in_table_order(names)), asked_for_(parameters_.size()), start_(start) {
   if (names.empty())
-    throw InputError("no parameter is free, expected at least one: --free k_elasticity,k_muscle");
+    throw InputError({}, "no parameter is free", "at least one, as in --free k_elasticity,k_muscle");
   for (const FreeParameter* p : in_table_order(beside))
     if (!find(p->name)) parameters_.push_back(p);
   for (std::size_t i = 0; i < size(); ++i) {
     const FreeParameter& p = parameter(i);
-    require_within(p, value_of(p, start_), "starts at", fmt::format("{} in the scenario", p.scenario_key));
+    require_within(p, value_of(p, start_), "starts at", {},
+                   fmt::format("change {} in the scenario", p.scenario_key));
     shaped_ = shaped_ || p.group == Group::shape;
     Prior prior{std::string(p.name), {}, p.prior};
     given_.push_back(0.0);
@@ -79,7 +82,8 @@ SearchSpace::SearchSpace(const std::vector<std::string>& names, const Candidate&
         prior = given;
         given_.back() = given.deviation;
       }
-    if (prior.mean) require_within(p, *prior.mean, "is expected near", "--prior");
+    if (prior.mean)
+      require_within(p, *prior.mean, "has a prior mean of", {"--prior " + prior.name}, "change the mean");
     const double mean = prior.mean.value_or(value_of(p, start_));
     if (prior.deviation > 0.0 && p.scale == Scale::factor)
       priors_.push_back({i, std::log(mean), prior.deviation});
@@ -88,10 +92,9 @@ SearchSpace::SearchSpace(const std::vector<std::string>& names, const Candidate&
   }
   for (const Prior& given : priors)
     if (std::count_if(priors.begin(), priors.end(), [&](const Prior& p) { return p.name == given.name; }) > 1)
-      throw InputError(fmt::format("--prior {}: given twice, expected once", given.name));
-    else if (!find(free_parameter(given.name).name))
-      throw InputError(
-          fmt::format("--prior {}: it is not fitted, expected it among those of --free", given.name));
+      throw InputError({"--prior " + given.name}, "it is given twice", "once");
+    else if (!find(free_parameter(given.name, {"--prior " + given.name}).name))
+      throw InputError({"--prior " + given.name}, "the parameter is not fitted", "one that --free names");
 }
 
 bool SearchSpace::is_ratio(std::size_t i) const {

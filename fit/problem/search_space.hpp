@@ -7,34 +7,35 @@
 
 namespace trunk {
 
-/// What is known of a parameter beforehand: a mean in its natural unit and a standard deviation of its
-/// logarithm, or of the value where it is searched for by amounts. None: nothing is known.
+/// What is known about a parameter before the fit: a mean in its natural unit, and a standard deviation of
+/// the logarithm (of the value, if the search changes the parameter by amounts).
 struct Prior {
   std::string name;
   std::optional<double> mean;  // empty: the start
   double deviation = 0.0;      // 0: no prior
 };
 
-/// Where a search looks. Coordinates are the logarithms of the parameters, with k_muscle as log(k_muscle /
-/// k_elasticity): in slow breathing the volume depends on that ratio alone, so the coordinates are nearly
-/// independent of each other. What is searched for by amounts counts in tenths of its unit, so that all
-/// coordinates are of one size.
+/// The coordinates of a search. They are the logarithms of the parameters, except that k_muscle becomes
+/// log(k_muscle / k_elasticity): in slow breathing the volume depends only on that ratio, so the coordinates
+/// are nearly independent. A parameter that is changed by amounts counts in tenths of its unit, so that all
+/// coordinates have about the same size.
 ///
-/// Besides the parameters asked for, `beside` are estimated along with them: the timing taken from a trace is
-/// itself uncertain, and what it was taken for would otherwise be charged to the others.
+/// The parameters `beside` (nuisance parameters) are estimated together with those asked for. For example,
+/// the timing read from a trace is uncertain, and its errors would otherwise bias the other parameters.
 class SearchSpace {
  public:
-  /// Throws InputError: no free parameter, one named twice or unknown, a start or prior outside the bounds.
+  /// Throws InputError if no parameter is free, if a name is unknown or given twice, if a start or prior is
+  /// outside its bounds, or if a prior belongs to a parameter that is not fitted.
   SearchSpace(const std::vector<std::string>& names, const Candidate& start,
               const std::vector<std::string>& beside = {}, const std::vector<Prior>& priors = {});
 
   std::size_t size() const noexcept { return parameters_.size(); }
-  std::size_t asked_for() const noexcept { return asked_for_; }  // the first of them
+  std::size_t asked_for() const noexcept { return asked_for_; }  // they come first, then those beside
   const FreeParameter& parameter(std::size_t i) const { return *parameters_[i]; }
   bool is_ratio(std::size_t i) const;
   std::optional<std::size_t> find(std::string_view name) const;
 
-  /// Deviation of the prior that was given for it, of the logarithm or amount; 0: none was.
+  /// Returns the deviation of the prior given for a parameter, of the logarithm or amount; 0: none was given.
   double given_deviation(std::size_t i) const { return given_[i]; }
 
   Eigen::VectorXd encode(const Candidate& candidate) const;
@@ -43,15 +44,16 @@ class SearchSpace {
   Eigen::VectorXd lower() const;  // of the coordinates
   Eigen::VectorXd upper() const;
 
-  /// d(logarithm, or amount, of the natural value) / d(coordinate): [size, size]. Turns a covariance of
-  /// coordinates into one of the parameters.
+  /// Returns d(logarithm, or amount, of the natural value) / d(coordinate), [size, size]. It turns a
+  /// covariance of the coordinates into one of the parameters.
   Eigen::MatrixXd values_by_coordinates() const;
 
-  /// How decode(x) changes with each coordinate: [size].
+  /// Returns the derivative of decode(x) with respect to each coordinate, [size].
   std::vector<Candidate> directions(const Eigen::VectorXd& x) const;
 
-  /// What is known beforehand, as residuals of deviation 1: one a prior, one a bend of the activation's shape
-  /// (second differences of the logarithms of neighbouring knots, deviation 0.3; our choice).
+  /// Returns the priors as residuals of deviation 1: one for each prior, and one for each bend of the
+  /// activation's shape (second difference of the logarithms of neighbouring knots, deviation 0.3; our
+  /// choice).
   Eigen::VectorXd prior_residuals(const Eigen::VectorXd& x) const;
 
  private:

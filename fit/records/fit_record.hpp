@@ -6,8 +6,9 @@
 
 namespace trunk {
 
-/// `status` is as in `fit --json`. `sigma_m3` is the deviation of the measured samples, or empty. `run` is
-/// the breath at the best parameters, `file` the scenario before the fit.
+/// Returns the record of a fit. `file` is the scenario before the fit, and `run` the breath at the best
+/// parameters. `sigma_m3` [samples] is the deviation of the measured samples, or empty. `status` is the word
+/// of `fit --json`.
 FitRecord fit_record(const ScenarioFile& file, const Trunk& trunk, const SearchSpace& space,
                      const MeasuredCurve& measured, const std::vector<double>& sigma_m3,
                      const Estimation& estimation, const std::string& status, const BreathRun& run,

@@ -8,11 +8,11 @@
 
 namespace trunk {
 
-/// What this program is and what it was given. `inputs` are files to hash. `argv` is the command line as
-/// typed.
+/// Returns the version of this program and what it was given. `inputs` are files to hash; `argv` is the
+/// command line as typed. Throws InputError if a file cannot be read.
 Provenance provenance_of(const std::vector<std::filesystem::path>& inputs, const std::string& argv);
 
-/// Several lines: program, commit, compiler and libraries, as `trunk --version` prints them.
+/// Returns the lines of `trunk --version`: program, commit, compiler and libraries.
 std::string version_text();
 
 }  // namespace trunk

@@ -12,7 +12,7 @@
 namespace trunk {
 namespace {
 
-constexpr double ml = 1e-6, mm = 1e-3;
+constexpr double m3_per_ml = 1e-6, m_per_mm = 1e-3;
 
 using Steps = std::vector<std::size_t>;
 
@@ -22,15 +22,16 @@ std::vector<double> at_steps(const Steps& steps, const std::vector<double>& valu
   return some;
 }
 
-/// What the program itself says of each of those steps.
+/// Returns the simulated curves at those steps; `volume` is the name of the volume.
 std::vector<Series> own_series(const BreathRun& run, const Steps& steps, const std::string& volume) {
-  return {{volume, "ml", "lung volume above end-expiration, simulated", at_steps(steps, run.delta_v, ml)},
-          {"activation", "1", "muscle activation A(t)", at_steps(steps, run.activation, 1.0)},
-          {"abdominal_pressure", "cmH2O", "pressure in the abdominal compartment above rest",
-           at_steps(steps, run.pressure_Pa, Pa_per_cmH2O)}};
+  return {
+      {volume, "ml", "lung volume above end-expiration, simulated", at_steps(steps, run.delta_v, m3_per_ml)},
+      {"activation", "1", "muscle activation A(t)", at_steps(steps, run.activation, 1.0)},
+      {"abdominal_pressure", "cmH2O", "pressure in the abdominal compartment above rest",
+       at_steps(steps, run.pressure_Pa, Pa_per_cmH2O)}};
 }
 
-/// Volume, activation and pressure again, and the lengths of Table 1 and the domes as they change.
+/// Returns volume, activation, pressure, the lengths of Table 1 and the descent of the domes at each frame.
 std::vector<Series> frame_series(const Trunk& trunk, const BreathRun& run) {
   Steps steps;
   for (const auto& frame : run.frames) steps.push_back(static_cast<std::size_t>(frame.step));
@@ -41,7 +42,7 @@ std::vector<Series> frame_series(const Trunk& trunk, const BreathRun& run) {
     measures.push_back(measures_between(rest, shape_of(trunk, frame.position)));
   const auto add = [&](const char* name, const char* meaning, double Measures::*member) {
     Series series{name, "mm", meaning, {}};
-    for (const Measures& m : measures) series.values.push_back(m.*member / mm);
+    for (const Measures& m : measures) series.values.push_back(m.*member / m_per_mm);
     all.push_back(std::move(series));
   };
   add("dL", "shortening of the zone of apposition", &Measures::delta_l);
@@ -52,7 +53,7 @@ std::vector<Series> frame_series(const Trunk& trunk, const BreathRun& run) {
   return all;
 }
 
-/// Every step; where no trajectory is kept, every 10 ms.
+/// Returns every step, or one step every 10 ms if no trajectory is kept.
 Steps curve_steps(const BreathRun& run, const Scenario& scenario) {
   const long every = run.frames.empty() ? std::lround(0.01 / scenario.time.dt_s) : 1;
   Steps steps;
@@ -70,7 +71,7 @@ void add_curves(const BreathRun& run, const Steps& steps, const MeasuredCurve& m
   const double spacing = measured.time_s[1] - measured.time_s[0];
   const Eigen::VectorXd at_times = sampled(measured.delta_v, spacing, r.curve_time_s);
   for (std::size_t i = 0; i < r.curve_time_s.size(); ++i) {
-    observed.values.push_back(at_times[static_cast<Eigen::Index>(i)] / ml);
+    observed.values.push_back(at_times[static_cast<Eigen::Index>(i)] / m3_per_ml);
     residual.values.push_back(r.curves.front().values[i] - observed.values.back());
   }
   r.curves.push_back(std::move(observed));
@@ -84,8 +85,7 @@ std::string scenario_text(const ScenarioFile& file) {
   if (const auto& c = file.scenario.step_choice)
     text += fmt::format(
         "\n# time.dt_ms = \"auto\" chose {:g} ms: stable below {:.3g} ms, lung volume within {:.2g} % of "
-        "short "
-        "steps\n",
+        "short steps\n",
         1e3 * c->grid.dt_s, 1e3 * c->stable_s, 100.0 * c->estimated_error);
   text += "\n# as given in " + file.path + ":\n# ";
   for (char c : file.text) {
@@ -96,7 +96,7 @@ std::string scenario_text(const ScenarioFile& file) {
 }
 
 std::vector<NamedValue> measures_of(const BreathSummary& run) {
-  if (!run.ending.completed()) {  // half a breath has no measures
+  if (!run.ending.completed()) {
     BreathSummary unknown;
     unknown.ending.status = Ending::Status::completed;
     std::vector<NamedValue> values = measures_of(unknown);
@@ -104,16 +104,16 @@ std::vector<NamedValue> measures_of(const BreathSummary& run) {
     return values;
   }
   const Measures& m = run.measures;
-  return {{"delta_v_ml", "ml", m.delta_v / ml},
+  return {{"delta_v_ml", "ml", m.delta_v / m3_per_ml},
           {"delta_v_percent", "percent", 100.0 * m.delta_v / m.end_expiratory_volume},
-          {"end_expiratory_volume_ml", "ml", m.end_expiratory_volume / ml},
-          {"end_inspiratory_volume_ml", "ml", m.end_inspiratory_volume / ml},
-          {"delta_l_mm", "mm", m.delta_l / mm},
+          {"end_expiratory_volume_ml", "ml", m.end_expiratory_volume / m3_per_ml},
+          {"end_inspiratory_volume_ml", "ml", m.end_inspiratory_volume / m3_per_ml},
+          {"delta_l_mm", "mm", m.delta_l / m_per_mm},
           {"delta_l_percent", "percent", 100.0 * m.delta_l_fraction},
-          {"delta_h_mm", "mm", m.delta_h / mm},
-          {"delta_r_mm", "mm", m.delta_r / mm},
-          {"excursion_left_mm", "mm", m.excursion_left / mm},
-          {"excursion_right_mm", "mm", m.excursion_right / mm},
+          {"delta_h_mm", "mm", m.delta_h / m_per_mm},
+          {"delta_r_mm", "mm", m.delta_r / m_per_mm},
+          {"excursion_left_mm", "mm", m.excursion_left / m_per_mm},
+          {"excursion_right_mm", "mm", m.excursion_right / m_per_mm},
           {"max_relative_volume_error", "1", run.max_relative_volume_error},
           {"flipped_triangles", "1", static_cast<double>(run.flipped_triangles)},
           {"abdominal_pressure_peak_cmH2O", "cmH2O", run.peak_pressure_Pa / Pa_per_cmH2O}};

@@ -7,24 +7,26 @@
 
 namespace trunk {
 
-/// The Table 1 row and what goes with it, in ml, mm and cmH2O, named as in `simulate --json`.
+/// Returns the row of Table 1 and further measures, in ml, mm and cmH2O, named as in `simulate --json`. All
+/// are NaN if the breath did not complete.
 std::vector<NamedValue> measures_of(const BreathSummary& run);
 
-/// Every parameter a fit could vary, natural units.
+/// Returns every parameter that a fit can vary, in natural units.
 std::vector<NamedValue> parameters_of(const Candidate& candidate);
 
-/// Takes over parameters by name, as a run or fit file holds them; the simulation is made to last at least as
-/// long as the activation. Throws InputError on a name that is unknown.
+/// Sets parameters by the names that run and fit files use, and makes the simulation last at least as long as
+/// the activation. Throws InputError if a name is unknown. => scenario
 void adopt_parameters(const std::vector<NamedValue>& parameters, Scenario& scenario);
 
-/// A word for the status of a simulation: "completed", "diverged", "volume_lost".
+/// Returns the word for a status: "completed", "diverged", "volume_lost", or "not_run".
 std::string status_word(Ending::Status status);
 
-/// `measured` is empty or has the curve a fit was held against, sampled at the run's times.
+/// Returns the record of a run. `measured` is the curve that was fitted, on an even grid of times, or empty.
 RunRecord run_record(const ScenarioFile& file, const Trunk& trunk, const BreathRun& run,
                      const MeasuredCurve& measured, const Provenance& provenance);
 
-/// The scenario in full, so that it can be run again, with the text the user gave as comments at its end.
+/// Returns the whole scenario as TOML, so that it can be run again. Comments at its end hold the user's own
+/// text.
 std::string scenario_text(const ScenarioFile& file);
 
 }  // namespace trunk

@@ -5,7 +5,7 @@
 
 namespace trunk {
 
-/// The frames of a run, and what connects the particles.
+/// Returns the frames of a run, and the triangles, fibres and regions of its particles.
 Trajectory trajectory_of(const Trunk& trunk, const BreathRun& run, double dt_s);
 
 }  // namespace trunk

@@ -29,13 +29,15 @@ Json heading(const std::string& title, const std::string& status, const std::str
           {"provenance", provenance_contents(provenance)}};
 }
 
-/// Puts the file's name before what is found damaged in its records.
+/// Returns what `pack` returns. An error that it throws gets the file as its place.
 template <typename Pack>
 Json packed_from(const std::filesystem::path& path, Pack pack) {
   try {
     return pack();
   } catch (const InputError& error) {
-    throw InputError(path.string(), 0, error.what());
+    Mistake mistake = error.mistake();
+    mistake.at = {path.string()};
+    throw InputError(mistake);
   }
 }
 
@@ -81,7 +83,10 @@ Json json_table(const std::vector<NamedValue>& values) {
 
 Json packed_if_any(const std::vector<double>& values, std::size_t size, const char* name, Packed& packed) {
   if (values.empty()) return nullptr;
-  if (values.size() != size) throw InputError(std::string("is damaged: ") + name + " has the wrong length");
+  if (values.size() != size)
+    throw InputError({},
+                     std::string("is damaged: ") + name + " has " + std::to_string(values.size()) + " values",
+                     std::to_string(size));
   return packed.add(values);
 }
 

@@ -12,7 +12,8 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "the page reads little-endian numbers");
 
-/// With a gzip head without name and time: equal blocks give equal bytes.
+/// Returns the block in gzip format. The gzip header has no name and no time, so equal blocks give equal
+/// bytes.
 std::string gzipped(const std::string& block) {
   constexpr int window_with_gzip_head = 15 + 16, memory_level = 9;
   z_stream stream{};
@@ -44,10 +45,11 @@ std::string base64(const std::string& bytes) {
 
 template <typename Value>
 Packed::Json Packed::append(const char* as, const std::vector<Value>& values) {
-  block_.resize((block_.size() + 7) / 8 * 8);  // typed arrays of browsers begin at multiples of their size
+  block_.resize((block_.size() + 7) / 8 *
+                8);  // a typed array of a browser must begin at a multiple of its size
   const std::size_t at = block_.size(), size = values.size() * sizeof(Value);
   constexpr std::size_t most = 1u << 28;
-  if (size > most - at) throw std::runtime_error("there is more in the file than a page can hold");
+  if (size > most - at) throw std::runtime_error("the file holds more than a page can show");
   block_.resize(at + size);
   if (size > 0) std::memcpy(block_.data() + at, values.data(), size);
   return {{"as", as}, {"at", at}, {"n", values.size()}};

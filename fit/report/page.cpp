@@ -5,8 +5,9 @@
 #include "errors/input_error.hpp"
 #include "report/contents.hpp"
 #include "report/surface_contents.hpp"
+#include "results/read/summary.hpp"
 
-// The page as scripts/build_report_page makes it, in the program itself: it needs no file beside it.
+// scripts/build_report_page makes this page. It is part of the program, so that no other file is needed.
 asm(R"(
 .section .rodata
 .global trunk_report_page, trunk_report_page_end
@@ -21,7 +22,7 @@ namespace {
 
 constexpr std::size_t trajectory_bytes = 2'400'000;
 
-/// Nothing in a text can end the element it stands in.
+/// Returns the JSON with "<" escaped, so that no text can end the script element.
 std::string for_script_element(const Packed::Json& json) {
   std::string text;
   for (const char c : json.dump(-1, ' ', true, Packed::Json::error_handler_t::replace))
@@ -32,26 +33,23 @@ std::string for_script_element(const Packed::Json& json) {
   return text;
 }
 
-void require_side_by_side(const Packed::Json& files) {
+void require_side_by_side(const std::vector<std::filesystem::path>& files) {
+  if (files.size() < 2) return;
   for (const auto& file : files)
-    if (files.size() > 1 && file["kind"] == "sweep")
-      throw InputError(file["name"].get<std::string>() +
-                       ": is a sweep, expected runs or fits side by side; report it alone");
+    if (kind_of(file) == "sweep")
+      throw InputError({file.string()}, "is a sweep", "runs or fits side by side", "report it alone");
 }
 
 }  // namespace
 
 std::string report_page(const std::vector<std::filesystem::path>& files,
-                        const std::optional<ComparedSurface>& beside) {
+                        const std::optional<ComparedSurface>& compared) {
+  require_side_by_side(files);
   Packed packed;
   Packed::Json contents = Packed::Json::array();
   for (const auto& file : files)
     contents.push_back(file_contents(file, trajectory_bytes / files.size(), packed));
-  require_side_by_side(contents);
-  if (beside) {
-    Packed::Json& run = contents[0]["run"];
-    run["surface"] = surface_contents(*beside, run["trajectory"]["particles"].get<std::size_t>(), packed);
-  }
+  if (compared) contents[0]["run"]["surface"] = surface_contents(*compared, packed);
   constexpr std::string_view place = "<!-- the data -->";
   const std::string_view page(trunk_report_page,
                               static_cast<std::size_t>(trunk_report_page_end - trunk_report_page));

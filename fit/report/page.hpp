@@ -9,10 +9,11 @@
 
 namespace trunk {
 
-/// One self-contained HTML page of one or two results files: it loads nothing, and shows texts of the files
-/// as texts only. The same files give the same bytes. Throws InputError as reading the files does, and where
-/// two files cannot stand side by side. A measured surface goes with the first file, a run or fit alone.
+/// Returns a self-contained HTML page of one or two results files. It loads no other file, and texts from the
+/// files appear only as text. The same files give the same bytes. A measured surface belongs to the first
+/// file, which must then be the only one, and a run or a fit. Throws InputError if a file cannot be read, or
+/// if one of two files is a sweep.
 std::string report_page(const std::vector<std::filesystem::path>& files,
-                        const std::optional<ComparedSurface>& beside = {});
+                        const std::optional<ComparedSurface>& compared = {});
 
 }  // namespace trunk

@@ -12,10 +12,11 @@ namespace {
 using Json = Packed::Json;
 
 [[noreturn]] void damaged(const std::string& what) {
-  throw InputError("is damaged: " + what);
+  throw InputError({}, "is damaged: " + what, "a file as trunk wrote it");
 }
 
-/// Frames up to the first that is not finite: a run that diverged has a beginning.
+/// Returns the number of frames before the first that is not finite: a run that diverged still has a
+/// beginning.
 std::size_t finite_frames(const Trajectory& t) {
   const std::size_t width = 3 * t.particles;
   if (t.position_m.size() != t.time_s.size() * width) damaged("the positions have the wrong shape");
@@ -24,8 +25,8 @@ std::size_t finite_frames(const Trajectory& t) {
   return static_cast<std::size_t>(first - t.position_m.begin()) / width;
 }
 
-/// An axis of the box around the trunk at its start, as much again on either side: what leaves it is drawn at
-/// its border.
+/// One axis of the box that is drawn: the trunk at its start, and its width again on either side. A point
+/// outside the box is drawn at its border.
 struct Range {
   double middle, half;
 };
@@ -39,7 +40,7 @@ Range range_of(std::span<const double> start, std::size_t axis) {
   return {std::midpoint(low, high), 1.5 * (high - low)};
 }
 
-/// Every `every`th of `frames` frames.
+/// Returns every `every`-th of the first `frames` frames.
 Json position_contents(const Trajectory& t, std::size_t frames, std::size_t every, Packed& packed) {
   constexpr double most_steps = 32000.0;  // either way, within int16
   const std::size_t width = 3 * t.particles;
@@ -76,7 +77,7 @@ Json code_contents(const std::vector<std::int32_t>& codes, const std::vector<std
   return {{"names", names}, {"codes", packed.add(codes)}};
 }
 
-/// Of the particles that ever touch the ribs: [frames * those] 1 where they do.
+/// Returns the particles that ever touch the ribs, and for each frame and each of them 1 if it touches.
 Json contact_contents(const Trajectory& t, std::size_t frames, std::size_t every, Packed& packed) {
   if (t.contact.empty()) return nullptr;
   std::vector<std::int32_t> particles;
@@ -114,7 +115,7 @@ Json trajectory_contents(const Trajectory& t, std::size_t most_bytes, Packed& pa
           {"contact", contact_contents(t, frames, every, packed)}};
 }
 
-/// Curves of more than `most` samples are thinned, and say so.
+/// Returns the curves, thinned to `most` samples; `every` tells how much.
 Json curve_contents(const std::vector<double>& time_s, const std::vector<Series>& curves, Packed& packed) {
   constexpr std::size_t most = 20000;
   if (time_s.empty() || curves.empty()) return nullptr;

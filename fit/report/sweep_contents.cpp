@@ -9,7 +9,7 @@ using Json = Packed::Json;
 
 constexpr std::size_t most_columns = 200, most_samples = 500'000, most_text = 300;
 
-/// A few hundred bytes of each say enough in a table.
+/// Returns the beginning of each text: a table cell shows no more.
 Json text_column(const std::vector<std::string>& texts) {
   if (texts.empty()) return nullptr;
   Json list = Json::array();
@@ -17,7 +17,7 @@ Json text_column(const std::vector<std::string>& texts) {
   return list;
 }
 
-/// ΔV every so many samples.
+/// Returns ΔV of all runs, thinned to `most_samples`.
 Json curve_table(const StoredSweep& sweep, Packed& packed) {
   const std::size_t rows = sweep.status.size(), samples = sweep.curve_time_s.size();
   if (samples == 0 || rows == 0) return nullptr;

@@ -28,7 +28,7 @@ LeastSquares with_fixed(const LeastSquares& problem, const Eigen::VectorXd& at,
 
 namespace {
 
-/// Differences between pairs of points that differ in one coordinate.
+/// Returns difference quotients; the k-th pair of points differs in coordinate k.
 Slopes differences(const std::vector<Eigen::VectorXd>& ahead, const std::vector<Outcome>& outcomes_ahead,
                    const std::vector<Eigen::VectorXd>& behind, const std::vector<Outcome>& outcomes_behind) {
   Eigen::MatrixXd result;
@@ -42,7 +42,7 @@ Slopes differences(const std::vector<Eigen::VectorXd>& ahead, const std::vector<
   return result;
 }
 
-/// x moved by `step` in one coordinate after the other, kept inside.
+/// Returns x moved by `step` in each coordinate in turn, within the bounds.
 std::vector<Eigen::VectorXd> moved(const LeastSquares& problem, const Eigen::VectorXd& x, double step) {
   std::vector<Eigen::VectorXd> points;
   for (Eigen::Index i = 0; i < x.size(); ++i) {

@@ -21,7 +21,7 @@ Eigen::VectorXd copied(const gsl_vector* v) {
       Eigen::InnerStride<>(static_cast<Eigen::Index>(v->stride)));
 }
 
-/// What crosses the C interface, and the change of coordinates that keeps bounds GSL knows nothing of.
+/// The state behind the C interface. GSL has no bounds, so its coordinates u are mapped into them by a sine.
 struct Fit {
   const LeastSquares& problem;
   Eigen::VectorXd middle, half;
@@ -44,7 +44,7 @@ struct Fit {
       lowest = outcome.objective;
       best = x;
     }
-    // A failed simulation is a step too far: large and finite, so that the step is taken back.
+    // Large and finite residuals make GSL take back a step that led to a failed simulation.
     if (!outcome.residuals && rows > 0)
       outcome.residuals =
           Eigen::VectorXd::Constant(rows, std::sqrt(outcome.objective / static_cast<double>(rows)));
@@ -86,7 +86,8 @@ int slopes(const gsl_vector* u, void* data, gsl_matrix* j) noexcept {
   });
 }
 
-/// Where sin(u) has a slope: a start on a bound could never leave it.
+/// Returns u for a start x, a little inside the bounds: on a bound sin(u) has no slope, so u could never
+/// leave it.
 Eigen::VectorXd angles_of(const Fit& fit, const Eigen::VectorXd& x) {
   const Eigen::ArrayXd part = ((x - fit.middle).array() / fit.half.array()).max(-0.999).min(0.999);
   return part.asin();
@@ -98,7 +99,6 @@ struct Ending {
 };
 
 Ending iterate(gsl_multifit_nlinear_workspace* work, const Fit& fit, const SearchOptions& options) {
-  // A step below 1e-4 changes the objective of a least-squares problem by 1e-8 of what is left.
   const double step_tolerance = std::max(options.coordinate_tolerance, 1e-10);
   const double slope_tolerance = 1e-10;
   int small_gains = 0;
@@ -115,7 +115,7 @@ Ending iterate(gsl_multifit_nlinear_workspace* work, const Fit& fit, const Searc
                               : fmt::format("the gradient is at most {:g}", slope_tolerance)};
     const double after = gsl_blas_dnrm2(gsl_multifit_nlinear_residual(work));
     small_gains = before - after <= 0.5 * options.objective_tolerance * after ? small_gains + 1 : 0;
-    if (small_gains == 2)  // one may be chance
+    if (small_gains == 2)  // a single small gain may be chance
       return {true,
               fmt::format("the objective changes by at most {:g} of itself", options.objective_tolerance)};
   }

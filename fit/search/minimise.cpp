@@ -37,10 +37,10 @@ constexpr Algorithm algorithms[] = {
 const Algorithm& algorithm_named(const std::string& name) {
   for (const Algorithm& a : algorithms)
     if (a.name == name) return a;
-  throw InputError("unknown algorithm '" + name + "', expected " + algorithm_names());
+  throw InputError({"--algorithm"}, "unknown algorithm '" + name + "'", algorithm_names());
 }
 
-/// What crosses the C interface: exceptions wait here until NLopt has returned, since it would drop them.
+/// The state behind the C interface. NLopt would lose an exception, so it is kept here until NLopt returns.
 struct Call {
   const LeastSquares& problem;
   nlopt_opt optimiser;
@@ -62,13 +62,13 @@ struct Call {
 
   void write_gradient(const Eigen::VectorXd& x, const Outcome& outcome, double* gradient) {
     auto out = Eigen::VectorXd::Map(gradient, x.size());
-    if (!outcome.residuals) {  // the value is a penalty, which no search stays at
+    if (!outcome.residuals) {  // the value is a penalty, so no search stays here
       out.setZero();
       return;
     }
     const Slopes j = slopes_at(problem, x);
     evaluations += problem.exact_slopes ? 1 : static_cast<int>(x.size());
-    if (!j) throw std::runtime_error("the model fails beside a point a gradient is needed at: try bobyqa");
+    if (!j) throw std::runtime_error("the model fails where a gradient is needed: try --algorithm bobyqa");
     out = 2.0 * j->transpose() * *outcome.residuals;
   }
 };
@@ -76,7 +76,7 @@ struct Call {
 double call_objective(unsigned n, const double* x, double* gradient, void* data) noexcept {
   Call& call = *static_cast<Call*>(data);
   try {
-    // BOBYQA may leave the bounds by round-off.
+    // BOBYQA can leave the bounds by a rounding error.
     return call.value(call.problem.inside(Eigen::VectorXd::Map(x, n)), gradient);
   } catch (...) {
     call.error = std::current_exception();

@@ -12,7 +12,7 @@ std::vector<Eigen::VectorXd> sobol_starts(const LeastSquares& problem, std::size
   const auto n = static_cast<unsigned>(std::min<Eigen::Index>(problem.size(), 40));
   const std::unique_ptr<gsl_qrng, decltype(&gsl_qrng_free)> sequence(gsl_qrng_alloc(gsl_qrng_sobol, n),
                                                                      &gsl_qrng_free);
-  // A shift modulo 1 (Cranley and Patterson 1976) keeps the sequence even and makes it depend on the seed.
+  // A shift modulo 1 (Cranley and Patterson 1976) makes the sequence depend on the seed and keeps it even.
   std::mt19937_64 engine(seed);
   std::vector<double> shift(n), point(n);
   for (double& s : shift) s = static_cast<double>(engine() >> 11) * 0x1p-53;

@@ -6,8 +6,8 @@
 
 namespace trunk {
 
-/// `count` points of a scrambled Sobol sequence within the bounds; the same seed gives the same points.
-/// At most 40 coordinates (GSL's table); those beyond stay at the middle.
+/// Returns `count` points of a randomly shifted Sobol sequence within the bounds; the same seed gives the
+/// same points. GSL's table has 40 coordinates; any further coordinate stays in the middle of its bounds.
 std::vector<Eigen::VectorXd> sobol_starts(const LeastSquares& problem, std::size_t count, unsigned seed);
 
 }  // namespace trunk

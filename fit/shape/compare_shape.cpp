@@ -7,7 +7,7 @@ namespace {
 
 constexpr std::size_t samples = 20000;
 
-/// Distances of samples of the region, and of its corners, which count for the largest alone.
+/// Adds the distances of samples of the region. Its corners count only for the largest distance. => result
 void compare_region(const RunRegion& region, const SignedDistance& to, ShapeComparison& result) {
   std::vector<double> all, covered;
   for (const Vec3d& p : spread_over(region.points, region.triangles, samples)) {

@@ -20,14 +20,15 @@ constexpr const char* lung_component = "lung";
 
 void require_trajectory(const Trajectory& t, const std::string& file) {
   if (t.particles == 0 || t.time_s.empty() || t.position_m.size() != t.time_s.size() * 3 * t.particles)
-    throw InputError(file, 0, "has no trajectory, expected a run simulated without --every 0");
+    throw InputError({file}, "has no trajectory", "a run simulated without --every 0");
   const auto there = [&](std::int32_t i) { return i >= 0 && static_cast<std::size_t>(i) < t.particles; };
   for (const auto& triangle : t.triangles)
     if (!std::all_of(triangle.begin(), triangle.end(), there))
-      throw InputError(file, 0, "is damaged: a triangle has a corner that is no particle");
+      throw InputError({file}, "is damaged: a triangle has a corner that is no particle",
+                       "a file as trunk wrote it", "simulate the run again");
   for (const double x : t.position_m)
     if (!std::isfinite(x))
-      throw InputError(file, 0, "diverged: positions are not finite; expected a whole run");
+      throw InputError({file}, "the run diverged: positions are not finite", "a run that completed");
 }
 
 std::vector<Vec3d> positions(const Trajectory& t, double time_s) {
@@ -66,7 +67,7 @@ double time_of_peak(const Trajectory& t) {
   return peak;
 }
 
-/// Triangles of the abdomen's surface whose corners are all in some of the regions.
+/// Returns the triangles whose corners are all in one of the regions.
 std::vector<Triangle> triangles_within(const Trajectory& t, const Names& regions) {
   const auto within = [&](int i) {
     const std::string& name =
@@ -85,8 +86,8 @@ std::vector<Triangle> triangles_within(const Trajectory& t, const Names& regions
   return chosen;
 }
 
-/// The skin below the ribs: its triangles reach from the costal insertion to the pelvis' rim, but neither is
-/// skin alone (the floor, and nothing).
+/// Returns the skin below the ribs. Its triangles reach from the costal insertion to the rim of the pelvis,
+/// so a triangle with no corner in the abdominal wall is left out.
 std::vector<Triangle> abdominal_skin(const Trajectory& t) {
   std::vector<Triangle> skin = triangles_within(t, {"abdominal_wall", "costal_insertion", "pelvis"});
   std::erase_if(skin, [&](const Triangle& triangle) {
@@ -118,20 +119,18 @@ double moment_of(const std::string& at, const Trajectory& t, const std::string& 
   const auto [end, error] = std::from_chars(at.data(), at.data() + at.size(), seconds);
   if (error != std::errc{} || end != at.data() + at.size() ||
       !(seconds >= t.time_s.front() && seconds <= t.time_s.back()))
-    throw InputError(file, 0,
-                     fmt::format("moment '{}' found, expected peak, start, end or {:g} to {:g} s",
-                                 at.substr(0, 40), t.time_s.front(), t.time_s.back()));
+    throw InputError({file}, fmt::format("there is no moment '{}'", at.substr(0, 40)),
+                     fmt::format("peak, start, end or {:g} to {:g} s", t.time_s.front(), t.time_s.back()));
   return seconds;
 }
 
 RunRegion region_at(const std::string& name, double time_s, const Trajectory& t, const std::string& file) {
   require_trajectory(t, file);
-  RunRegion region{name, time_s, {}, {}, triangles_of(name, t)};
+  RunRegion region{name, time_s, {}, {}, triangles_of(name, t), t.particles};
   if (region.triangles.empty())
-    throw InputError(file, 0,
-                     fmt::format("region '{}' has no triangle, expected diaphragm, lung, abdomen, skin or "
-                                 "one of {}",
-                                 name.substr(0, 40), fmt::join(t.region_names, ", ")));
+    throw InputError(
+        {file}, fmt::format("region '{}' has no triangle", name.substr(0, 40)),
+        fmt::format("diaphragm, lung, abdomen, skin or one of {}", fmt::join(t.region_names, ", ")));
   const std::vector<Vec3d> all = positions(t, time_s);
   std::vector<int> number(t.particles, -1);
   for (const Triangle& triangle : region.triangles)

@@ -20,7 +20,8 @@ double now_s() {
   return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
 }
 
-/// The curve every curve_step_s: the nearest later sample, so that resuming from files loses no bit.
+/// Returns the first sample at or after each multiple of curve_step_s. No interpolation: a sweep that resumes
+/// from files has the same bits.
 template <class TimeOf>
 std::vector<double> thinned(const std::vector<double>& values, double factor, const TimeOf& time_of) {
   std::vector<double> curve;
@@ -49,15 +50,15 @@ Trial<double> trial_of(const PreparedRun& p) {
   return {p.file.scenario.parameters, p.file.scenario.activation};
 }
 
-/// A batch while it is simulated.
+/// Simulates a batch and collects its outcomes.
 class Running {
  public:
   explicit Running(const SweepBatch& batch) : batch_(batch) {}
 
-  /// Fails what is unstable, simulates the others.
+  /// Adds a failed row for each unstable run, and simulates the others.
   std::vector<FinishedRun> simulate(std::vector<PreparedRun> runs) {
     if (!surely_stable(runs)) std::erase_if(runs, [&](const PreparedRun& p) { return fails_as_unstable(p); });
-    while (!runs.empty()) {  // those of one time grid at once
+    while (!runs.empty()) {  // each pass takes the runs of one time grid
       const TimeGrid grid = runs.front().file.scenario.time;
       const auto others = std::stable_partition(runs.begin(), runs.end(), [&](const PreparedRun& p) {
         const TimeGrid& own = p.file.scenario.time;
@@ -90,7 +91,7 @@ class Running {
     }
   }
 
-  /// Lanes share their time: `runs` side by side may take as long as one after the other.
+  /// Runs side by side may take as long as the same runs one after the other.
   WhileSimulated watchdog(std::size_t runs) const {
     using Clock = std::chrono::steady_clock;
     const double limit_s = batch_.limits.timeout_s * static_cast<double>(runs);
@@ -117,7 +118,8 @@ class Running {
             {row_of(runs[i].run, breaths[i], grid.dt_s, batch_.design.store != SweepDesign::Store::summary),
              std::nullopt});
     } catch (const TimedOut&) {
-      if (runs.size() == 1) time_out(runs.front());  // of several one may be slow: the caller tries each
+      if (runs.size() == 1)
+        time_out(runs.front());  // of several, only one may be slow: the caller tries each
     }
   }
 
@@ -156,7 +158,14 @@ SweepRow failed_row(std::size_t run, const std::string& status, const std::strin
 }
 
 SweepRow invalid_row(const SweepDesign& design, std::size_t run, const std::exception& error) {
-  return failed_row(run, "invalid", design.seen_from_design(error.what()));
+  const auto* input = dynamic_cast<const InputError*>(&error);
+  if (input == nullptr) return failed_row(run, "invalid", error.what());
+  std::vector<Mistake> mistakes = input->mistakes();
+  for (Mistake& mistake : mistakes) {
+    mistake.at = design.seen_from_design(mistake.at);
+    mistake.named_in = design.seen_from_design(mistake.named_in);
+  }
+  return failed_row(run, "invalid", InputErrors(std::move(mistakes)).what());
 }
 
 std::vector<FinishedRun> SweepBatch::simulate(std::vector<PreparedRun> runs) const {

@@ -14,35 +14,36 @@
 
 namespace trunk {
 
-inline constexpr double curve_step_s = 0.01;  // between the samples of a row's curve
+inline constexpr double curve_step_s = 0.01;  // time between the samples of a row's curve
 
-/// What came of a run: its row, and where it is to be kept in full its record.
+/// The outcome of a run: its row, and its record if the sweep stores runs in full.
 struct FinishedRun {
   SweepRow row;
   std::optional<RunRecord> record;
 };
 
-/// The row of a run that is on file.
+/// Returns the row of a run that is stored in a file.
 SweepRow row_of(std::size_t run, const StoredRun& summary);
 
-/// The row of a run that did not end.
+/// Returns the row of a run that did not complete.
 SweepRow failed_row(std::size_t run, const std::string& status, const std::string& error);
 
-/// The row of a run that could not be set up.
+/// Returns the row of a run that could not be set up. Files in its error are named relative to the design.
 SweepRow invalid_row(const SweepDesign& design, std::size_t run, const std::exception& error);
 
+/// When to give up runs.
 struct RunLimits {
-  double timeout_s = 0.0;           // for one run, of several side by side on average; 0: any
-  std::function<bool()> cancelled;  // asked while runs take longer than a second
+  double timeout_s = 0.0;           // for one run, or on average for several side by side; 0: no limit
+  std::function<bool()> cancelled;  // called while runs take longer than a second
 };
 
-/// A run, ready to be simulated.
+/// A run that is ready to be simulated.
 struct PreparedRun {
   std::size_t run;
   ScenarioFile file;
 };
 
-/// Runs of one trunk. How they are simulated does not show in what comes of each.
+/// Runs of one trunk. Each gives the same result, alone or side by side with others.
 struct SweepBatch {
   const SweepDesign& design;
   const Provenance& provenance;
@@ -50,9 +51,9 @@ struct SweepBatch {
   const Trunk& trunk;
   StableRange& stable;
 
-  /// Fails what is unstable and simulates the others, side by side where no trajectory is kept. Several that
-  /// together take longer than they may are given up and missing: each is to be tried by itself. Throws
-  /// Cancelled.
+  /// Returns the outcomes. A run with an unstable time step fails; the others are simulated, side by side if
+  /// no trajectory is stored. If several side by side take too long, they are given up and missing from the
+  /// result; the caller then tries each alone. Throws Cancelled.
   std::vector<FinishedRun> simulate(std::vector<PreparedRun> runs) const;
 };
 

@@ -3,30 +3,20 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <string_view>
 
 namespace trunk {
 namespace {
 
-/// Keys whose values the lanes of one simulation may differ in.
+/// Returns true if the lanes of one simulation may have different values of this key.
 bool varies_in_lanes(const SweepDesign::Axis& axis) {
   return axis.key.starts_with("parameters.") || axis.key.starts_with("activation.");
 }
 
-/// Takes the last digit, of that base, off a number.
+/// Removes the last digit in that base from a number and returns it.
 std::size_t take_digit(std::size_t& number, std::size_t base) {
   const std::size_t digit = number % base;
   number /= base;
   return digit;
-}
-
-/// Takes a folder off the files in a message that are named by it.
-void take_off(const std::filesystem::path& folder, std::string& message) {
-  const std::string prefix = (folder / "").string();
-  if (prefix.empty()) return;
-  for (auto at = message.find(prefix); at != std::string::npos; at = message.find(prefix, at + 1))
-    if (at == 0 || std::string_view(" '\"(").find(message[at - 1]) != std::string_view::npos)
-      message.erase(at, prefix.size());
 }
 
 }  // namespace
@@ -60,7 +50,7 @@ std::string SweepDesign::subject_name(std::size_t number) const {
 std::vector<Setting> SweepDesign::settings_of(const std::vector<double>& values) const {
   std::vector<Setting> settings;
   for (const Axis* axis : axes())
-    settings.push_back({axis->key, fmt::format("{}", values[settings.size()]), axis->where});
+    settings.push_back({axis->key, fmt::format("{}", values[settings.size()]), axis->at.text()});
   return settings;
 }
 
@@ -88,11 +78,14 @@ std::vector<const SweepDesign::Axis*> SweepDesign::axes() const {
   return all;
 }
 
-std::string SweepDesign::seen_from_design(std::string message) const {
+Place SweepDesign::seen_from_design(Place place) const {
   const std::filesystem::path file(path);
-  take_off(file.parent_path(), message);
-  take_off(std::filesystem::absolute(file).lexically_normal().parent_path(), message);
-  return message;
+  for (const std::filesystem::path& folder :
+       {file.parent_path(), std::filesystem::absolute(file).lexically_normal().parent_path()}) {
+    const std::string prefix = folder.empty() ? "" : (folder / "").string();
+    if (place.file.starts_with(prefix)) place.file.erase(0, prefix.size());
+  }
+  return place;
 }
 
 }  // namespace trunk

@@ -62,7 +62,7 @@ std::size_t runs_in(const std::string& fingerprint, const fs::path& folder) {
   std::size_t runs = 0;
   const auto parsed = std::from_chars(fingerprint.data(), fingerprint.data() + fingerprint.size(), runs);
   if (fingerprint.empty() || parsed.ec != std::errc())
-    throw InputError(folder.string(), 0, "holds no sweep, expected a folder written by `trunk sweep`");
+    throw InputError({folder.string()}, "holds no sweep", "a folder written by `trunk sweep`");
   return runs;
 }
 

@@ -9,7 +9,7 @@
 
 namespace trunk {
 
-/// The most bytes of a sweep's own text files that are read.
+/// The largest size, in bytes, of a text file of a sweep that is read.
 inline constexpr std::size_t longest_sweep_text = 10'000'000;
 
 /// Returns the program and version that results belong to.

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// True for a new folder, and for one in which a sweep could only just begin.
+/// Returns true if the folder is new, or if a sweep was interrupted in it before it stored anything.
 bool holds_nothing(const fs::path& folder) {
   for (const auto& entry : fs::directory_iterator(folder)) {
     const std::string name = entry.path().filename().string();
@@ -28,7 +28,7 @@ bool holds_nothing(const fs::path& folder) {
   return true;
 }
 
-/// What killed processes left half written.
+/// Removes the incomplete files of killed processes.
 void remove_half_files(const fs::path& folder) {
   for (const auto& entry : fs::directory_iterator(folder))
     if (entry.path().extension() == ".part") fs::remove(entry.path());
@@ -37,13 +37,15 @@ void remove_half_files(const fs::path& folder) {
 void make_folder(const fs::path& path) {
   const fs::path parent = path.has_parent_path() ? path.parent_path() : fs::path(".");
   if (!fs::is_directory(parent))
-    throw InputError(path.string(), 0, "cannot be made: there is no folder '" + parent.string() + "'");
-  if (fs::exists(path) && !fs::is_directory(path))
-    throw InputError(path.string(), 0, "is a file, expected a folder");
+    throw InputError({path.string()}, "cannot be made: there is no folder '" + parent.string() + "'", "",
+                     "make that folder first");
+  if (fs::exists(path) && !fs::is_directory(path)) throw InputError({path.string()}, "is a file", "a folder");
   for (const char* part : {"runs", "journal"}) {
     std::error_code error;
     fs::create_directories(path / part, error);
-    if (error) throw InputError(path.string(), 0, "cannot be made: " + error.message());
+    if (error)
+      throw InputError({path.string()}, "cannot be made: " + error.message(), "",
+                       "check the rights on the folder, or name another one");
   }
   require_writable_output(path / "fingerprint", true);
 }
@@ -52,21 +54,22 @@ fs::path without_slash(fs::path path) {
   return path.filename().empty() ? path.parent_path() : path;  // DIR/
 }
 
-/// Throws InputError where the folder holds something that is not this sweep. True where it must be deleted.
+/// Returns true if the folder holds another sweep that must be deleted. Throws InputError if it holds
+/// anything but this sweep and `force` is false.
 bool holds_another(const fs::path& folder, const std::string& mine, bool force) {
   if (!fs::is_directory(folder)) return false;
-  const bool foreign =
-      !holds_nothing(folder);  // seen before the fingerprint, which another shard may just write
+  // Another shard may write the fingerprint at this moment, so the other files are looked at first.
+  const bool foreign = !holds_nothing(folder);
   const std::string found = read_fingerprint(folder);
   if (identity(found) == identity(mine)) return false;
   if (force) return !found.empty();
   if (!found.empty())
-    throw InputError(folder.string(), 0,
-                     "holds another sweep (its design, a scenario, a subject or the program differs); "
-                     "expected a new folder, "
-                     "or --force to delete its runs");
+    throw InputError({folder.string()},
+                     "holds another sweep (its design, a scenario, a subject or the program differs)",
+                     "a new folder", "name a new one, or delete its runs with --force");
   if (foreign)
-    throw InputError(folder.string(), 0, "is not empty and holds no sweep, expected a new folder or --force");
+    throw InputError({folder.string()}, "is not empty and holds no sweep", "a new folder",
+                     "name a new one, or use this one with --force");
   return false;
 }
 
@@ -97,10 +100,9 @@ SweepFolder::SweepFolder(fs::path path)
   runs_in(fingerprint_, path_);
   const auto lines = lines_from(1, fingerprint_);
   if (lines.empty() || lines[0] != program_text())
-    throw InputError(path_.string(), 0,
-                     fmt::format("was written by {}, expected this program's version, {}: use the one it was "
-                                 "written by",
-                                 lines.empty() ? "another program" : lines[0], program_text()));
+    throw InputError(
+        {path_.string()}, fmt::format("was written by {}", lines.empty() ? "another program" : lines[0]),
+        fmt::format("this program's version, {}", program_text()), "use the program that wrote it");
   lock(LockKind::alone);
   remove_half_files(path_ / "runs");
 }
@@ -109,16 +111,15 @@ void SweepFolder::lock(LockKind kind) {
   const fs::path file = path_ / "lock";
   const int descriptor = open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
   if (descriptor < 0)
-    throw InputError(file.string(), 0, std::string("cannot be written: ") + std::strerror(errno));
+    throw InputError({file.string()}, std::string("cannot be written: ") + std::strerror(errno), "",
+                     "check the rights on the folder");
   lock_ = std::shared_ptr<const int>(new int(descriptor), [](const int* held) {
     close(*held);
     delete held;
   });
   if (!try_lock(descriptor, kind))
-    throw InputError(
-        path_.string(), 0,
-        "is in use by another process; expected to be alone: wait for it to end (shards, each with "
-        "its own --shard k/n, go together)");
+    throw InputError({path_.string()}, "is in use by another process", "one process, or only shards",
+                     "wait for it to end, or give each process its own --shard k/n");
 }
 
 fs::path SweepFolder::run_file(std::size_t run) const {
@@ -140,9 +141,8 @@ SweepDesign SweepFolder::design() const {
   const fs::path file = path_ / "sweep.toml";
   SweepDesign design = parse_sweep_design(read_text_file(file, longest_sweep_text), file.string());
   if (design.runs() != runs_in(fingerprint_, path_))
-    throw InputError(file.string(), 0,
-                     fmt::format("makes {} runs, expected {}: it was changed", design.runs(),
-                                 runs_in(fingerprint_, path_)));
+    throw InputError({file.string()}, fmt::format("makes {} runs: it was changed", design.runs()),
+                     std::to_string(runs_in(fingerprint_, path_)), "restore the file, or start a new folder");
   return design;
 }
 

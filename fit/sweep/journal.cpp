@@ -20,8 +20,8 @@ namespace {
 constexpr std::size_t longest_row = std::size_t{1} << 26, longest_error = 500;
 constexpr std::size_t checksum_size = 16;
 
-/// A row on file: its size, the row, and the beginning of the row's SHA-256. Numbers as the machine has them:
-/// a folder of a sweep is shared among machines of one kind.
+/// The file holds for each row its size, its bytes, and the beginning of their SHA-256. Numbers have the
+/// machine's byte order: only machines of one kind share the folder of a sweep.
 template <class Number>
 void put(std::string& bytes, const Number& number) {
   bytes.append(reinterpret_cast<const char*>(&number), sizeof number);
@@ -49,7 +49,7 @@ std::string bytes_of(const SweepRow& row) {
   return bytes + body + sha256_of_text(body).substr(0, checksum_size);
 }
 
-/// Takes values off the front; `ok` is false once there was too little.
+/// Takes values from the front of a text; `ok` becomes false if the text is too short.
 struct Parser {
   std::string_view rest;
   bool ok = true;
@@ -90,7 +90,7 @@ bool parse(std::string_view body, SweepRow& row) {
   return parser.ok && parser.rest.empty();
 }
 
-/// The next row; false where there is no whole one.
+/// Reads the next row; returns false if it is incomplete or damaged, or at the end.
 bool read_row(std::istream& file, std::string& body, SweepRow& row) {
   std::uint32_t size = 0;
   char checksum[checksum_size];
@@ -100,14 +100,14 @@ bool read_row(std::istream& file, std::string& body, SweepRow& row) {
   return sha256_of_text(body).compare(0, checksum_size, checksum, checksum_size) == 0 && parse(body, row);
 }
 
-/// The rank of a row among those of its run; the larger counts. One that failed does not undo one that did
-/// not, whatever the clocks of their machines say.
+/// Returns the rank of a row among those of its run; the row with the largest rank counts. A failed row never
+/// replaces a completed one, whatever the clocks of the machines say.
 std::pair<int, double> rank_of(const SweepRow& row) {
   return {row.status == "completed" ? 2 : 1, row.ended_at};
 }
 
-/// Sets `at` to the next place from there on where the head of a row could be, so that a damaged row, be it
-/// in its size, costs no other. False where the file has none.
+/// Moves `at` forward to the next place where the head of a row could be, so that a row with a damaged size
+/// does not hide the rows after it. Returns false if there is none.
 bool find_row(std::istream& file, std::size_t& at) {
   constexpr std::uint64_t most_runs = 1 << 24;
   constexpr std::uint32_t longest_status = 32;
@@ -120,7 +120,7 @@ bool find_row(std::istream& file, std::size_t& at) {
     parser.take(&status, sizeof status);
     return size <= longest_row && run < most_runs && status > 0 && status <= longest_status;
   };
-  std::array<char, 16> head{};  // size, run and how long the status is
+  std::array<char, 16> head{};  // size, run, and length of the status
   file.clear();
   file.seekg(static_cast<std::streamoff>(at));
   file.read(head.data(), head.size());
@@ -129,6 +129,14 @@ bool find_row(std::istream& file, std::size_t& at) {
     file.get(head.back());
   }
   return file && file.seekg(static_cast<std::streamoff>(at));
+}
+
+/// Returns the error of a write that just failed (errno).
+InputError not_written(const std::filesystem::path& path) {
+  return {{path.string()},
+          std::string("cannot be written: ") + std::strerror(errno),
+          "",
+          "check the space on the disk and the rights on the folder"};
 }
 
 std::string heading(const std::string& fingerprint) {
@@ -152,7 +160,9 @@ std::size_t read_journal(const std::filesystem::path& path, const std::string& f
       visit(std::move(row));
     }
   } while (find_row(file, ++at));
-  if (file.bad()) throw InputError(path.string(), 0, "cannot be read: " + std::string(std::strerror(errno)));
+  if (file.bad())
+    throw InputError({path.string()}, std::string("cannot be read: ") + std::strerror(errno), "",
+                     "check the disk");
   return end;
 }
 
@@ -175,16 +185,18 @@ void read_journals(const std::filesystem::path& folder, const std::string& finge
 Journal::Journal(std::filesystem::path path, const std::string& fingerprint)
     : path_(std::move(path)),
       descriptor_(open(path_.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666)) {
-  const auto fail = [&](const std::string& text) {
+  const auto fail = [&](InputError error) {
     if (descriptor_ >= 0) close(descriptor_);
-    throw InputError(path_.string(), 0, text);
+    throw error;
   };
-  if (descriptor_ < 0) fail("cannot be written: " + std::string(std::strerror(errno)));
+  if (descriptor_ < 0) fail(not_written(path_));
   if (!try_lock(descriptor_, LockKind::alone))
-    fail("is being written by another process, expected one a shard: give each its own --shard, or wait");
+    fail({{path_.string()},
+          "is being written by another process",
+          "one process for each shard",
+          "give each its own --shard, or wait"});
   const std::size_t end = read_journal(path_, fingerprint, [](const SweepRow&) {});
-  if (ftruncate(descriptor_, static_cast<off_t>(end)) != 0)
-    fail("cannot be written: " + std::string(std::strerror(errno)));
+  if (ftruncate(descriptor_, static_cast<off_t>(end)) != 0) fail(not_written(path_));
   if (end == 0) write_all(heading(fingerprint));
 }
 
@@ -202,8 +214,7 @@ void Journal::write_all(std::string_view bytes) {
   while (!bytes.empty()) {
     const ssize_t written = write(descriptor_, bytes.data(), bytes.size());
     if (written < 0 && errno == EINTR) continue;
-    if (written < 0)
-      throw InputError(path_.string(), 0, "cannot be written: " + std::string(std::strerror(errno)));
+    if (written < 0) throw not_written(path_);
     bytes.remove_prefix(static_cast<std::size_t>(written));
   }
 }

@@ -5,12 +5,14 @@
 
 namespace trunk {
 
-/// How far a folder is; anyone may look at any time. Throws InputError where it holds no sweep.
+/// How many runs of a sweep are done.
 struct SweepProgress {
   std::size_t runs = 0, done = 0, failed = 0;
-  double runs_per_s = 0.0;  // over the last minute of work; 0: not known
+  double runs_per_s = 0.0;  // over the last minute of work; 0: unknown
   bool has_table = false;
 };
+
+/// Returns the progress of a folder, also while processes work in it. Throws InputError if it holds no sweep.
 SweepProgress progress_of(const std::filesystem::path& folder);
 
 }  // namespace trunk

@@ -18,7 +18,7 @@ constexpr std::size_t most_runs = 1'000'000, largest_file = 1'000'000, most_file
 constexpr std::size_t most_numbers = 10'000'000;  // of all points of a sample
 constexpr std::size_t most_coordinates = 40;      // GSL's Sobol sequences
 
-/// A range of values, walked by a part of it between 0 and 1.
+/// A range of values; at(part) is its value at a part between 0 and 1.
 struct Range {
   double from, to;
   bool log;
@@ -32,22 +32,20 @@ class DesignReader {
   void read(const toml::table& root) {
     for (const auto& [key, node] : root) read_key(std::string(key.str()), node);
     if (design_.scenarios.empty())
-      throw InputError(design_.path, 0, "names no scenarios, expected scenarios = [\"healthy.toml\"]");
+      throw InputError({design_.path}, "names no scenarios", "scenarios = [\"healthy.toml\"]");
     for (const auto& a : design_.grid)
       for (const auto& b : design_.sample)
-        if (a.key == b.key)
-          throw InputError(fmt::format("{}: {} stands in [grid] too, expected it once", b.where, b.key));
+        if (a.key == b.key) throw InputError(b.at, b.key + " is in [grid] too", "it in one of the two");
     if (design_.runs() > most_runs)
-      throw InputError(design_.path, 0,
-                       fmt::format("makes {} runs, expected at most {}", design_.runs(), most_runs));
+      throw InputError({design_.path}, fmt::format("makes {} runs", design_.runs()),
+                       fmt::format("at most {}", most_runs));
   }
 
  private:
-  [[noreturn]] void fail(const toml::node& at, const std::string& text) const {
-    throw InputError(design_.path, at.source().begin.line, text);
-  }
-  std::string where(const toml::node& at) const {
-    return fmt::format("{}:{}", design_.path, at.source().begin.line);
+  Place place(const toml::node& node) const { return {design_.path, node.source().begin.line}; }
+  [[noreturn]] void fail(const toml::node& node, const std::string& found,
+                         const std::string& expected) const {
+    throw InputError(place(node), found, expected);
   }
 
   void read_key(const std::string& key, const toml::node& node) {
@@ -66,16 +64,15 @@ class DesignReader {
     else if (key == "output" && node.is_table() && node.as_table()->size() == 1)
       read_output(*node.as_table());
     else
-      fail(node, fmt::format("unknown key '{}', expected schema, title, store, scenarios, subjects, [grid], "
-                             "[sample] or [output] frame_every_ms",
-                             key));
+      fail(node, fmt::format("unknown key '{}'", key),
+           "schema, title, store, scenarios, subjects, [grid], [sample] or [output] frame_every_ms");
   }
 
   double number(const toml::node* node, const toml::node& parent, const std::string& what) const {
     const auto value = node && node->is_number() ? node->value<double>() : std::nullopt;
     if (!value || !std::isfinite(*value))
-      fail(node ? *node : parent,
-           fmt::format("{}: found {}, expected a finite number", what, node ? shown(*node) : "nothing"));
+      fail(node ? *node : parent, node ? what + " is " + shown(*node) : "there is no " + what,
+           "a finite number");
     return *value;
   }
 
@@ -83,14 +80,13 @@ class DesignReader {
                     double most) const {
     const double value = number(node, parent, what);
     if (value != std::floor(value) || value < least || value > most)
-      fail(*node,
-           fmt::format("{}: found {}, expected a whole number, {} to {}", what, shown(*node), least, most));
+      fail(*node, what + " is " + shown(*node), fmt::format("a whole number, {} to {}", least, most));
     return static_cast<std::size_t>(value);
   }
 
   std::string text(const toml::node& node, const std::string& what) const {
     const auto value = node.value_exact<std::string>();
-    if (!value) fail(node, fmt::format("{}: found {}, expected a text in quotes", what, shown(node)));
+    if (!value) fail(node, what + " is " + shown(node), "a text in quotes");
     return *value;
   }
 
@@ -99,46 +95,49 @@ class DesignReader {
     const std::string found = text(node, what);
     const auto at = std::find(words.begin(), words.end(), found);
     if (at == words.end())
-      fail(node, fmt::format("{} is '{}', expected \"{}\"", what, found, fmt::join(words, "\" or \"")));
+      fail(node, fmt::format("{} is '{}'", what, found), fmt::format("\"{}\"", fmt::join(words, "\" or \"")));
     return static_cast<std::size_t>(at - words.begin());
   }
 
   const toml::table& table(const toml::node& node, const std::string& name) const {
     if (!node.is_table())
-      fail(node, fmt::format("{0}: expected a table, as in [{0}] and \"parameters.k_muscle_N_per_m\" = {1}",
-                             name, name == "grid" ? "[20, 30]" : "{ from = 20, to = 30 }"));
+      fail(node, name + " is " + shown(node),
+           fmt::format("a table, as in [{}] and \"parameters.k_muscle_N_per_m\" = {}", name,
+                       name == "grid" ? "[20, 30]" : "{ from = 20, to = 30 }"));
     return *node.as_table();
   }
 
   std::vector<SweepDesign::Source> files(const toml::node& node, const std::string& what) const {
     const toml::array* list = node.as_array();
     if (!list || list->empty() || list->size() > most_files)
-      fail(node, fmt::format("{}: expected a list of 1 to {} files", what, most_files));
+      fail(node, what + " is " + shown(node), fmt::format("a list of 1 to {} files", most_files));
     std::vector<SweepDesign::Source> sources;
     for (const toml::node& item : *list) {
       const std::string name = text(item, what);
-      sources.push_back({name, std::filesystem::path(design_.path).parent_path() / name, where(item)});
+      sources.push_back({name, std::filesystem::path(design_.path).parent_path() / name, place(item)});
     }
     return sources;
   }
 
-  void require_full_name(const std::string& key, const toml::node& at, const std::string& place) const {
+  void require_full_name(const std::string& key, const toml::node& node, const std::string& table) const {
     if (key.find('.') == std::string::npos)
-      fail(at, fmt::format("{0} key '{1}': expected the full name in quotes, as in \"parameters.{1}\"", place,
-                           key));
+      fail(node, fmt::format("unknown key '{}' in [{}]", key, table),
+           fmt::format("the full name in quotes, as in \"parameters.{}\"", key));
   }
 
-  /// `others`: what may stand in the table besides from, to and scale.
+  /// `others` are the keys that the table may hold besides from, to and scale.
   Range range(const toml::table& t, const std::string& key, const std::vector<std::string>& others) const {
     for (const auto& [name, node] : t)
       if (name != "from" && name != "to" && name != "scale" &&
           std::find(others.begin(), others.end(), name.str()) == others.end())
-        fail(node, fmt::format("unknown '{}' in {}, expected from, to{}{} and scale", std::string(name.str()),
-                               key, others.empty() ? "" : ", ", fmt::join(others, ", ")));
+        fail(node, fmt::format("unknown '{}' in {}", std::string(name.str()), key),
+             fmt::format("from, to{}{} and scale", others.empty() ? "" : ", ", fmt::join(others, ", ")));
     Range range{number(t.get("from"), t, key + ".from"), number(t.get("to"), t, key + ".to"), false};
     if (const toml::node* scale = t.get("scale"))
       range.log = choice(*scale, key + ".scale", {"linear", "log"}) == 1;
-    if (range.log && (range.from <= 0 || range.to <= 0)) fail(t, key + ": a log scale needs values above 0");
+    if (range.log && (range.from <= 0 || range.to <= 0))
+      fail(t, fmt::format("{} goes from {} to {} on a log scale", key, range.from, range.to),
+           "values above 0");
     return range;
   }
 
@@ -146,7 +145,7 @@ class DesignReader {
     for (const auto& [key, node] : grid) {
       const std::string name(key.str());
       require_full_name(name, node, "grid");
-      design_.grid.push_back({name, where(node), grid_values(name, node)});
+      design_.grid.push_back({name, place(node), grid_values(name, node)});
     }
   }
 
@@ -161,7 +160,8 @@ class DesignReader {
         values.push_back(walk.at(n > 1 ? static_cast<double>(i) / static_cast<double>(n - 1) : 0.0));
     }
     if (values.empty())
-      fail(node, key + ": expected a list of numbers or { from = 1, to = 2, count = 5, scale = \"log\" }");
+      fail(node, key + " is " + shown(node),
+           "a list of numbers or { from = 1, to = 2, count = 5, scale = \"log\" }");
     return values;
   }
 
@@ -178,19 +178,24 @@ class DesignReader {
         seed = count(&node, node, "sample.seed", 0, 4294967295.0);
       } else {
         require_full_name(name, node, "sample");
-        if (!node.is_table()) fail(node, name + ": expected a range, { from = 1, to = 2, scale = \"log\" }");
+        if (!node.is_table())
+          fail(node, name + " is " + shown(node), "a range, { from = 1, to = 2, scale = \"log\" }");
         ranges.push_back(range(*node.as_table(), name, {}));
-        design_.sample.push_back({name, where(node), {}});
+        design_.sample.push_back({name, place(node), {}});
       }
     }
-    if (method > 1) fail(sample, "sample.method: expected method = \"sobol\" or \"latin_hypercube\"");
-    if (!sample.get("points")) fail(sample, "sample.points: expected the number of points, points = 100");
-    if (ranges.empty()) fail(sample, "sample: expected a range, \"scenario.key\" = { from = 1, to = 2 }");
+    if (method > 1)
+      fail(sample, "there is no sample.method", "method = \"sobol\" or method = \"latin_hypercube\"");
+    if (!sample.get("points"))
+      fail(sample, "there is no sample.points", "the number of points, as in points = 100");
+    if (ranges.empty())
+      fail(sample, "the sample has no range", "a range, \"scenario.key\" = { from = 1, to = 2 }");
     if (ranges.size() > most_coordinates)
-      fail(sample, fmt::format("sample: {} ranges, expected at most {}", ranges.size(), most_coordinates));
+      fail(sample, fmt::format("the sample has {} ranges", ranges.size()),
+           fmt::format("at most {}", most_coordinates));
     if (ranges.size() * design_.points > most_numbers)
-      fail(sample, fmt::format("sample: {} points of {} values, expected at most {} values in all",
-                               design_.points, ranges.size(), most_numbers));
+      fail(sample, fmt::format("the sample has {} points of {} values", design_.points, ranges.size()),
+           fmt::format("at most {} values in all", most_numbers));
     fill_sample(ranges, method == 0 ? &sobol_points : &latin_hypercube, static_cast<unsigned>(seed));
   }
 
@@ -202,46 +207,52 @@ class DesignReader {
 
   void read_output(const toml::table& output) {
     design_.frame_every_ms = number(output.get("frame_every_ms"), output, "output.frame_every_ms");
-    if (design_.frame_every_ms <= 0) fail(output, "output.frame_every_ms: expected more than 0");
+    if (design_.frame_every_ms <= 0)
+      fail(output, fmt::format("output.frame_every_ms is {}", design_.frame_every_ms), "a number above 0");
   }
 
   SweepDesign& design_;
 };
 
-/// The values of a sample that stand for all.
-std::vector<double> telling(const std::vector<double>& values) {
+/// Returns the first, lowest and highest value of a sample, to try instead of all values.
+std::vector<double> some_of(const std::vector<double>& values) {
   const auto [low, high] = std::minmax_element(values.begin(), values.end());
   return {values.front(), *low, *high};
 }
 
-/// A wrong file, key or value shows before the first run, not after an hour.
+/// Throws `error` with the place where the design names the file.
+[[noreturn]] void rethrow_named_in(const Place& place, const InputError& error) {
+  std::vector<Mistake> mistakes = error.mistakes();
+  for (Mistake& mistake : mistakes)
+    if (mistake.named_in.file.empty()) mistake.named_in = place;
+  throw InputErrors(std::move(mistakes));
+}
+
+/// Tries every file, key and value, so that a mistake shows before the first run and not after an hour.
 void try_everything(const SweepDesign& design) {
-  const auto at = [](const SweepDesign::Source& source, const std::string& text) {
-    return InputError(fmt::format("{}: {}", source.where, text));
-  };
   std::error_code ignored;
   for (const auto& source : design.scenarios) {
     if (!std::filesystem::exists(source.path, ignored))
-      throw at(source, "there is no scenario file " + source.path.string());
+      throw InputError(source.at, "there is no scenario file " + source.path.string());
     const ScenarioFile file = read_scenario(source.path);
     if (file.scenario.automatic_step)
-      throw at(source,
-               "time.dt_ms is \"auto\", expected a number, so that all runs are alike: what `trunk simulate` "
-               "chooses for this scenario, or the steps in [grid]");
+      throw InputError(source.at, "time.dt_ms of " + source.name + " is \"auto\"",
+                       "a number, so that all runs have the same time step",
+                       "set the step that `trunk simulate` chooses for this scenario, or steps in [grid]");
     const auto try_values = [&](const SweepDesign::Axis& axis, const std::vector<double>& values) {
       for (const double value : values) {
         ScenarioFile trial = file;
-        apply_settings(std::vector<Setting>{{axis.key, fmt::format("{}", value), axis.where}}, trial);
+        apply_settings(std::vector<Setting>{{axis.key, fmt::format("{}", value), axis.at.text()}}, trial);
       }
     };
     for (const SweepDesign::Axis& axis : design.grid) try_values(axis, axis.values);
-    for (const SweepDesign::Axis& axis : design.sample) try_values(axis, telling(axis.values));
+    for (const SweepDesign::Axis& axis : design.sample) try_values(axis, some_of(axis.values));
   }
   for (const auto& subject : design.subjects) try {
       Scenario trial;
       adopt_parameters(read_parameters(subject.path), trial);
     } catch (const InputError& error) {
-      throw at(subject, error.what());
+      rethrow_named_in(subject.at, error);
     }
 }
 

@@ -14,7 +14,7 @@ namespace {
 
 enum class RunState : char { open, completed, failed };
 
-/// What is known of the runs of a shard, without their rows: memory does not grow with what they hold.
+/// The states of all runs without their rows, which would take much memory.
 class RunStates {
  public:
   explicit RunStates(std::size_t runs) : states_(runs, RunState::open) {}
@@ -29,8 +29,8 @@ class RunStates {
   std::vector<RunState> states_;
 };
 
-/// Rows and files, told apart by what a crash can have left: a file without its row gives one, a row without
-/// its file is not done.
+/// Returns the states from rows and files. A crash can leave a file without its row, which is then added; a
+/// row without its file is not done.
 RunStates states_in(const SweepDesign& design, const SweepFolder& folder, const SweepOptions& options,
                     Journal& journal) {
   RunStates states(design.runs());
@@ -53,7 +53,7 @@ RunStates states_in(const SweepDesign& design, const SweepFolder& folder, const 
   return states;
 }
 
-/// Runs in an order in which those of one model come together, in parts to be simulated side by side.
+/// Returns the runs ordered by model, in batches of at most `together` runs of one model.
 std::vector<std::vector<std::size_t>> in_batches(const SweepDesign& design, std::vector<std::size_t> runs,
                                                  std::size_t together) {
   std::stable_sort(runs.begin(), runs.end(),
@@ -89,7 +89,7 @@ SweepOutcome run_sweep(const SweepDesign& design, const SweepFolder& folder, con
   const SweepSimulator simulator(design, provenance, {options.timeout_s, cancelled});
   const auto start = std::chrono::steady_clock::now();
   const auto keep = [&](std::vector<FinishedRun> finished) {
-    if (finished.empty()) return;  // together they took too long
+    if (finished.empty()) return;  // the batch took too long, so each of its runs is tried alone later
     std::vector<SweepRow> rows;
     for (FinishedRun& f : finished) {
       if (f.record) write_run(folder.run_file(f.row.run), *f.record);
@@ -102,7 +102,8 @@ SweepOutcome run_sweep(const SweepDesign& design, const SweepFolder& folder, con
     note(outcome.found + outcome.simulated, outcome.runs,
          static_cast<double>(outcome.simulated) / spent.count());
   };
-  for (const std::size_t together : {simulator.together(), std::size_t{1}}) {  // alone: what took too long
+  for (const std::size_t together :
+       {simulator.together(), std::size_t{1}}) {  // then alone, if a batch took too long
     if (cancelled && cancelled()) break;
     const auto batches = in_batches(design, open_runs(), together);
     std::vector<std::size_t> items(batches.size());

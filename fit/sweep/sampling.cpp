@@ -13,7 +13,7 @@ std::vector<std::vector<double>> latin_hypercube(std::size_t coordinates, std::s
   for (auto& coordinate : cube) {
     std::vector<std::size_t> interval(points);
     std::iota(interval.begin(), interval.end(), std::size_t{0});
-    // Not std::shuffle: its order is not the same in every standard library.
+    // std::shuffle gives another order in another standard library.
     for (std::size_t i = points; i > 1; --i) std::swap(interval[i - 1], interval[engine() % i]);
     for (std::size_t i = 0; i < points; ++i) {
       const double place = static_cast<double>(engine() >> 11) * 0x1p-53;

@@ -9,22 +9,23 @@
 
 namespace trunk {
 
-/// Simulates runs of a sweep. May be called from several threads.
+/// Simulates runs of a sweep. Several threads may call it.
 class SweepSimulator {
  public:
   SweepSimulator(const SweepDesign& design, Provenance provenance, RunLimits limits);
   ~SweepSimulator();
 
-  /// How many runs are best given at once.
+  /// Returns how many runs to pass at once for the best speed.
   std::size_t together() const noexcept;
 
-  /// Runs of the same model, side by side where no trajectory is kept; each gives what it would alone. A run
-  /// that fails is a row with its error. Never throws; where the work was cancelled, runs are missing, and
-  /// so are several that took too long together: one alone is then a row that timed out.
+  /// Returns the outcomes of runs of the same model, simulated side by side if no trajectory is stored. Each
+  /// outcome is the same as if the run were alone. A run that fails gives a row with its error; nothing is
+  /// thrown. Runs are missing if the work was cancelled, or if several together took too long. A single run
+  /// that takes too long gives a row with the status "timeout".
   std::vector<FinishedRun> operator()(std::span<const std::size_t> runs) const;
 
  private:
-  struct Ready;  // a scenario and its trunk: what is left to be set are subject and parameters
+  struct Ready;  // a scenario and its trunk; only subject and parameters are still to be set
 
   std::shared_ptr<const Ready> ready_for(std::size_t run) const;
 
@@ -33,7 +34,7 @@ class SweepSimulator {
   RunLimits limits_;
   std::vector<std::vector<NamedValue>> subjects_;
   mutable std::mutex mutex_;
-  mutable std::shared_ptr<const Ready> last_;  // runs of one model come one after the other
+  mutable std::shared_ptr<const Ready> last_;  // the next runs mostly have the same model
 };
 
 }  // namespace trunk

@@ -12,14 +12,14 @@
 
 namespace trunk {
 
-/// Parameters and time steps for which a trunk is known to be stable, so that not every run has to be tried:
-/// where the reaction is the gradient of an energy, whatever is softer, more damped and stepped more finely
-/// is stable too. May be asked from several threads.
+/// Parameters and time steps for which a trunk is known to be stable, so that not every run needs a test. If
+/// the reaction is the gradient of an energy, then a softer or more damped trunk, or a shorter time step, is
+/// stable too. Several threads may call it.
 class StableRange {
  public:
-  /// True: all of them are stable. False: each is to be tried by itself.
+  /// Returns true if all scenarios are stable; false means that each must be tested alone.
   bool holds(const Trunk& trunk, std::span<const Scenario* const> scenarios) {
-    constexpr double margin = 1.25;  // of the time step, for what power iteration leaves open
+    constexpr double margin = 1.25;  // on the time step, for the error of power iteration
     if (scenarios.empty() || scenarios.front()->reaction != Reaction::variational) return false;
     const std::lock_guard lock(mutex_);
     Corner corner = known_.value_or(corner_of(*scenarios.front()));
@@ -38,7 +38,7 @@ class StableRange {
   }
 
  private:
-  using Corner = std::array<double, 5>;  // each number the harder, the larger
+  using Corner = std::array<double, 5>;  // a larger number is harder to keep stable
 
   static Corner corner_of(const Scenario& s) {
     const Parameters<double>& p = s.parameters;

@@ -20,7 +20,7 @@ namespace {
 
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 
-/// Empty columns: the parameters, then the measures.
+/// Returns empty columns: the parameters, then the measures.
 std::vector<NamedColumn> columns_for(const SweepDesign& design) {
   std::vector<NamedColumn> columns;
   for (const SweepDesign::Axis* axis : design.axes())
@@ -58,7 +58,7 @@ void enter(const SweepRow& row, std::size_t first_measure, SweepRecord& table) {
         completed && m < row.measures.size() ? row.measures[m] : no_number;
 }
 
-/// The curve of a run is that of the last row visited, as the other columns are.
+/// Fills in the curves. As in the other columns, the last row visited of a run counts. => curves
 void fill_curves(const SweepFolder& folder, std::size_t samples, std::size_t first,
                  std::span<double> curves) {
   std::fill(curves.begin(), curves.end(), no_number);

@@ -12,7 +12,7 @@ int block_length(const Noise& noise, Eigen::Index samples) {
   return static_cast<int>(std::clamp(wanted, 5.0, std::max(5.0, 0.25 * static_cast<double>(samples))));
 }
 
-/// Residuals put together from blocks that begin anywhere.
+/// Returns residuals composed of blocks with random beginnings.
 Eigen::VectorXd resampled(const Eigen::VectorXd& residuals, Eigen::Index block, std::mt19937_64& engine) {
   const Eigen::Index n = residuals.size();
   Eigen::VectorXd result(n);
@@ -41,13 +41,14 @@ Bootstrap bootstrap(Objective& objective, const LocalFit& fit, int repeats, unsi
   const SearchSpace& space = objective.space();
   const Eigen::Index n = objective.samples();
   Bootstrap result{repeats, block_length(fit.noise, n), {}, {}};
-  // Fitting has made residuals smaller than the noise.
+  // The residuals are smaller than the noise, because the fit followed part of it.
   const double inflate = fit.noise.white_deviation /
                          std::max(std::sqrt(fit.residuals.squaredNorm() / static_cast<double>(n)), 1e-300);
   const Eigen::VectorXd centred = inflate * (fit.residuals.array() - fit.residuals.mean()).matrix();
   std::mt19937_64 engine(seed);
   std::vector<Eigen::VectorXd> shift;
-  // Residuals are model - measured: other noise e in the data takes e - (what was left) from them.
+  // Residuals are model - measured. Data with other noise e have residuals that are smaller by e - (old
+  // noise).
   for (int k = 0; k < repeats; ++k) shift.push_back(fit.residuals + resampled(centred, result.block, engine));
   const std::vector<Refit> fits =
       refits(objective.problem(), fit, Eigen::MatrixXd::Identity(fit.x.size(), fit.x.size()),

@@ -4,17 +4,17 @@
 
 namespace trunk {
 
-/// What repeated fits to resampled residuals give.
+/// The spread of repeated fits to resampled residuals.
 struct Bootstrap {
   int repeats = 0;
   int block = 0;                     // samples
   std::vector<Interval> interval95;  // [asked for], percentiles, natural units
-  Interval ratio95;                  // of k_muscle / k_elasticity; 0, 0 where k_muscle is not free
+  Interval ratio95;                  // of k_muscle / k_elasticity; 0, 0 if k_muscle is not free
 };
 
-/// Moving-block bootstrap of the residuals (Kunsch 1989): blocks of 3 / (1 - rho) samples, 5 to a quarter of
-/// the curve, keep the correlation of neighbours (our choice of length). Each repeat is fitted anew from the
-/// best point.
+/// Returns the moving-block bootstrap of the residuals (Kunsch 1989). Blocks of 3 / (1 - rho) samples, at
+/// least 5 and at most a quarter of the curve, keep the correlation of neighbours (the length is our choice).
+/// Each repeat is a new fit that starts at the best point.
 Bootstrap bootstrap(Objective& objective, const LocalFit& fit, int repeats, unsigned seed);
 
 }  // namespace trunk

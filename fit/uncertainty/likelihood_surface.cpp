@@ -19,14 +19,14 @@ std::vector<double> grid(double centre, double deviation, double lower, double u
   return at;
 }
 
-/// Along a line of the grid, between an inner and an outer point the root of the deviance is taken as
-/// straight.
+/// Returns where the deviance passes the threshold between an inner and an outer point of a grid line. The
+/// root of the deviance is taken as linear between them.
 double edge(double inner, double outer, double d_inner, double d_outer, double threshold) {
   const double a = std::sqrt(std::max(d_inner, 0.0)), b = std::sqrt(d_outer), at = std::sqrt(threshold);
   return std::isfinite(b) ? inner + (outer - inner) * (at - a) / (b - a) : inner;
 }
 
-/// Widens the span by what one line of the grid has inside.
+/// Widens the span by the part of one grid line that is below the threshold. => span, closed
 void widen(Interval& span, const std::vector<double>& at, const std::vector<double>& deviance,
            double threshold, bool& closed) {
   for (std::size_t k = 0; k < at.size(); ++k) {

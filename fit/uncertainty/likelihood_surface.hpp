@@ -4,19 +4,18 @@
 
 namespace trunk {
 
-/// The likelihood over a grid of the two parameters asked for. What is estimated beside them follows to first
-/// order.
+/// The likelihood over a grid of the two parameters asked for. Nuisance parameters follow to first order.
 struct LikelihoodSurface {
   std::string names[2], units[2];
-  std::vector<double> axis[2];   // first parameter [n]; of k_muscle the ratio k_muscle/k_elasticity [n]
-  std::vector<double> deviance;  // [n * n], the second fastest; NaN where the model fails
+  std::vector<double> axis[2];   // [n] each; the axis of k_muscle is the ratio k_muscle/k_elasticity
+  std::vector<double> deviance;  // [n * n], the second axis fastest; NaN if the simulation failed
   double threshold95 = 0.0;      // of the joint 95 % region: 2 F(0.95; 2, freedom)
-  Interval region95[2];          // what the joint region spans
+  Interval region95[2];          // extent of the joint region along each axis
   bool closed = false;           // the region does not touch the edge of the grid
 };
 
-/// `points` along each axis, over 4 standard errors around the best or up to the bounds. Only for two
-/// parameters asked for.
+/// Returns the surface with `points` along each axis, which spans 4 standard errors on either side of the
+/// best point, or ends at the bounds. Exactly two parameters must be asked for.
 LikelihoodSurface likelihood_surface(Objective& objective, const LocalFit& fit, int points);
 
 }  // namespace trunk

@@ -17,7 +17,7 @@ Eigen::MatrixXd whitened(const Eigen::MatrixXd& x, double rho) {
   return w;
 }
 
-/// What is left of the residuals when the fitted directions are taken out of them, all whitened.
+/// The whitened residuals without their part along the whitened fitted directions.
 struct WhiteFit {
   double squares;          // sum of squares left
   double log_determinant;  // of the fitted directions' Gram matrix
@@ -32,8 +32,8 @@ WhiteFit white_fit(const Eigen::VectorXd& residuals, const Eigen::MatrixXd& basi
           2.0 * qr.matrixQR().diagonal().head(p).cwiseAbs().array().log().sum()};
 }
 
-/// Restricted log likelihood of rho, the deviation at its best, up to a constant (Patterson and Thompson
-/// 1971).
+/// Returns the restricted log likelihood of rho at the best deviation, up to a constant (Patterson and
+/// Thompson 1971).
 double restricted_likelihood(const Eigen::VectorXd& residuals, const Eigen::MatrixXd& basis, double rho) {
   const auto n = static_cast<double>(residuals.size()), p = static_cast<double>(basis.cols());
   const WhiteFit fit = white_fit(residuals, basis, rho);
@@ -61,7 +61,7 @@ Noise estimate_noise(const Eigen::VectorXd& residuals, const Eigen::MatrixXd& ja
   Noise noise;
   noise.freedom = std::max(1.0, static_cast<double>(residuals.size() - basis.cols()));
   noise.white_deviation = noise.deviation = std::sqrt(residuals.squaredNorm() / noise.freedom);
-  if (noise.white_deviation < 1e-9) return noise;  // nothing but round-off
+  if (noise.white_deviation < 1e-9) return noise;  // only rounding errors
 
   constexpr int steps = 40;  // even in log(1 - rho)
   Eigen::ArrayXd log_rest(steps + 1), log_deviation(steps + 1), likelihood(steps + 1);

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double farthest = 1.5;  // half widths of the 95 % interval
 
-/// Coordinates of the parameters themselves (logarithms or amounts): y = to_values x.
+/// The parameters themselves as coordinates (logarithms or amounts): y = to_values x.
 struct Natural {
   Eigen::MatrixXd to_values, to_coordinates;
 
@@ -21,7 +21,7 @@ struct Natural {
   Eigen::MatrixXd of(const Eigen::MatrixXd& covariance) const {
     return to_values * covariance * to_values.transpose();
   }
-  /// Everything but parameter i.
+  /// Returns the directions of all parameters but i.
   Eigen::MatrixXd others(Eigen::Index i) const {
     Eigen::MatrixXd directions(to_coordinates.rows(), to_coordinates.cols() - 1);
     directions << to_coordinates.leftCols(i), to_coordinates.rightCols(to_coordinates.cols() - 1 - i);
@@ -37,7 +37,7 @@ double natural_coordinate(FreeParameter::Scale scale, double value) {
   return scale == FreeParameter::Scale::factor ? std::log(value) : value;
 }
 
-/// Places around `best`, as far as 1.5 times `reach` on either side or to the bounds, 2 points + 1 of them.
+/// Returns 2 points + 1 places around `best`, up to 1.5 times `reach` away on either side or to the bounds.
 std::vector<double> places(const FreeParameter& p, double best, double reach, int points) {
   const double below = std::min(farthest * reach, best - natural_coordinate(p.scale, p.lower));
   const double above = std::min(farthest * reach, natural_coordinate(p.scale, p.upper) - best);
@@ -46,7 +46,8 @@ std::vector<double> places(const FreeParameter& p, double best, double reach, in
   return at;
 }
 
-/// Where the signed root of the deviance passes the quantile; it is nearly straight in the logarithm.
+/// Returns where the root of the deviance passes the quantile; the root is nearly linear in y. Infinite if it
+/// does not.
 double crossing(const std::vector<double>& y, const std::vector<double>& deviance, std::size_t best, int side,
                 double quantile) {
   const auto root = [&](std::size_t k) { return std::sqrt(std::max(deviance[k], 0.0)); };

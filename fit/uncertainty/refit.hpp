@@ -4,17 +4,17 @@
 
 namespace trunk {
 
+/// A fit from a start near the best point.
 struct Refit {
   Eigen::VectorXd x;
   double objective = 0.0;
-  bool at_bound = false;  // a bound kept it from where the data wanted it
+  bool at_bound = false;  // a bound stopped its last step
 };
 
-/// Best fits beside the best one, side by side: Gauss-Newton steps within start + span(directions), with the
-/// slopes of the best point throughout (the chord method: no Jacobian is computed anew, and near the best
-/// point two steps reach what a search would). `shift` is what to take from the residuals of the curve, for
-/// data that differ from those measured; one for all starts or one each; empty: none.
-/// directions [coordinates, free].
+/// Returns the best fits within start + span(directions), computed side by side by Gauss-Newton steps. All
+/// steps use the slopes of the best point (chord method), so no new Jacobian is needed; near the best point
+/// two steps get as far as a search. `shift` [starts] is subtracted from the residuals of the curve, for data
+/// that differ from the measured data; empty: nothing is subtracted. directions [coordinates, free].
 std::vector<Refit> refits(const LeastSquares& problem, const LocalFit& fit, const Eigen::MatrixXd& directions,
                           const std::vector<Eigen::VectorXd>& starts,
                           const std::vector<Eigen::VectorXd>& shift = {}, int steps = 2);

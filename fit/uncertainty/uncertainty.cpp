@@ -41,7 +41,7 @@ Estimate estimate(std::string name, std::string unit, Scale scale, double value,
   return e;
 }
 
-/// Scale of the columns does not matter: parameters are compared as logarithms.
+/// Returns the condition number of the Jacobian in logarithms, so the units of the parameters do not matter.
 double condition_of(const Eigen::MatrixXd& covariance) {
   const Eigen::VectorXd e = symmetric_eigen(covariance).values;
   return std::sqrt(e[e.size() - 1] / std::max(e[0], 1e-300));
@@ -124,7 +124,7 @@ Uncertainty assess(const Objective& objective, const LocalFit& fit) {
           {std::sqrt(fit.covariance(row, row)), std::sqrt(fit.naive_covariance(row, row))}, fit.noise);
     (i < space.asked_for() ? u.parameters : u.beside).push_back(std::move(e));
   }
-  // One that goes with another at its bound is as little known.
+  // k_muscle is tied to k_elasticity: at a bound, neither is identifiable.
   const auto named = [&](const char* name) {
     return std::find_if(u.parameters.begin(), u.parameters.end(),
                         [&](const Estimate& e) { return e.name == name; });
@@ -159,7 +159,7 @@ Uncertainty without_uncertainty(const Objective& objective, const Eigen::VectorX
   const auto n = static_cast<Eigen::Index>(space.asked_for());
   u.log_covariance = u.correlation = Eigen::MatrixXd::Constant(n, n, unknown);
   u.verdict =
-      "Solved exactly from one number: no uncertainty can be given, and only the ratio "
+      "One measured number gives an exact solution: no uncertainty can be given, and only the ratio "
       "k_muscle/k_elasticity is determined.";
   return u;
 }

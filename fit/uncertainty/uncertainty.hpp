@@ -8,52 +8,53 @@
 
 namespace trunk {
 
+/// An interval of values; an end that is not bounded is infinite.
 struct Interval {
   double lower = 0.0, upper = 0.0;
 };
 
-/// A parameter with what the data say about it. Intervals are 95 %.
+/// A fitted parameter and its uncertainty. Intervals are 95 %.
 struct Estimate {
   std::string name, unit;
   double value = 0.0;
-  double stderr_ = 0.0;  // in the unit; of what is searched for by factors, value * that of its logarithm
+  double stderr_ = 0.0;  // in the unit; for Scale::factor it is the value times that of the logarithm
   double lower95 = 0.0, upper95 = 0.0;  // residuals correlated as AR(1)
   bool at_bound = false;
   bool identifiable = false;
   Interval naive95{};  // as if every sample were independent
-  double prior = 0.0;  // deviation of what was given beforehand, of the logarithm or amount; 0: nothing was
-  std::optional<Interval> open_profile{};  // of a profile that is not closed: an end is infinite
+  double prior = 0.0;  // deviation of the given prior, of the logarithm or amount; 0: no prior was given
+  std::optional<Interval> open_profile{};  // the interval of a profile that is open: an end is infinite
 };
 
-/// A product of powers of the free parameters, and how well it is determined.
+/// A product of powers of the free parameters, and how exactly the data give it.
 struct Combination {
   std::vector<double> powers;  // [asked for], the largest is 1
   double relative_stderr = 0.0;
 };
 
-/// The fit near its best point, as a linear one: what every interval starts from.
+/// The linear model of the fit at its best point, from which all intervals are derived.
 struct LocalFit {
   Eigen::VectorXd x;                // coordinates
   Eigen::VectorXd residuals;        // [samples] in deviations
-  Eigen::MatrixXd rows;             // d residuals / d x: [samples + what is known beforehand, coordinates]
+  Eigen::MatrixXd rows;             // d residuals / d x: [samples + priors, coordinates]
   Noise noise;                      // in deviations
   Eigen::MatrixXd unit_covariance;  // of x, as if all residuals had deviation 1
   Eigen::MatrixXd covariance;       // of x, AR(1)
   Eigen::MatrixXd naive_covariance;
 };
 
-/// None where the model fails beside x.
+/// Returns the linear model at x; none if a simulation near x fails.
 std::optional<LocalFit> local_fit(Objective& objective, const Eigen::VectorXd& x);
 
 /// Local uncertainty at the best point.
 struct Uncertainty {
   std::vector<Estimate> parameters;  // those asked for, in the order of the search space
-  std::vector<Estimate> beside;      // those estimated along with them
-  Estimate ratio;                    // k_muscle / k_elasticity; empty name where neither is free
+  std::vector<Estimate> beside;      // the nuisance parameters
+  Estimate ratio;                    // k_muscle / k_elasticity; the name is empty if k_muscle is not free
   Eigen::MatrixXd log_covariance;    // [asked for, asked for] of logarithms (amounts: of the values), AR(1)
   Eigen::MatrixXd correlation;       // of the same
   std::vector<Combination> combinations;  // best determined first; factors only
-  double condition_number = 0.0;  // of the Jacobian in the logarithms, what is estimated beside eliminated
+  double condition_number = 0.0;  // of the Jacobian in logarithms, with nuisance parameters eliminated
   double residual_autocorrelation = 0.0;  // lag 1
   double noise_autocorrelation = 0.0;     // of the noise that would leave such residuals
   double sigma_m3 = 0.0;                  // deviation of that noise
@@ -62,18 +63,20 @@ struct Uncertainty {
   std::string verdict;
 };
 
-/// From the parameters to the verdict on all of them. (parameters, ratio) => identifiable, verdict
+/// Concludes from the estimates whether all are identifiable. (parameters, ratio) => identifiable, verdict
 void conclude(Uncertainty& uncertainty);
 
-/// A free parameter is called identifiable where its 95 % interval spans less than a factor of 4 (0.4 of its
-/// unit, if searched for by amounts), it is not within 2 % of a bound, k_muscle not with k_elasticity at one
-/// (our choice), and its profile, if there is one, is closed.
+/// Returns estimates, intervals and the verdict from the linear model. A free parameter is identifiable (our
+/// choice) if its 95 % interval spans less than a factor of 4 (0.4 of its unit for Scale::amount), if it is
+/// not within 2 % of a bound, and, for k_muscle, if k_elasticity is not at a bound. A profile that is open
+/// makes it not identifiable later (see estimate).
 Uncertainty assess(const Objective& objective, const LocalFit& fit);
 
-/// As many numbers fitted as measured: nothing is left to tell how far to trust them.
+/// Returns the estimates alone: as many numbers were fitted as measured, so the data hold nothing on
+/// uncertainty.
 Uncertainty without_uncertainty(const Objective& objective, const Eigen::VectorXd& x);
 
-/// The 97.5 % point of Student's t.
+/// Returns the 97.5 % point of Student's t.
 double t_quantile(double freedom);
 
 }  // namespace trunk

@@ -10,18 +10,18 @@
 namespace trunk {
 namespace {
 
-/// "4000 N/m within 3 %", or the interval where a percentage would mean little; at a bound, and where the
-/// profile is open, the interval of a linear model means nothing.
+/// Returns "k = 4000 N/m within 3 %", or the interval if it is wider than a percentage can tell. At a bound,
+/// and if the profile is open, the interval of the linear model means nothing and is left out.
 std::string with_interval(const Estimate& e) {
   const std::string unit = e.unit == "1" ? "" : " " + e.unit;
   if (e.at_bound) return fmt::format("{} (stopped at its bound, {:.3g}{})", e.name, e.value, unit);
   if (e.open_profile) {
     const auto& [low, high] = *e.open_profile;
     if (std::isfinite(low))
-      return fmt::format("{}, at least {:.3g}{} and no upper end seen", e.name, low, unit);
+      return fmt::format("{} (at least {:.3g}{}, no upper limit found)", e.name, low, unit);
     if (std::isfinite(high))
-      return fmt::format("{}, at most {:.3g}{} and no lower end seen", e.name, high, unit);
-    return e.name + ", no end seen on either side";
+      return fmt::format("{} (at most {:.3g}{}, no lower limit found)", e.name, high, unit);
+    return e.name + " (no limit found on either side)";
   }
   const double percent = 100.0 * (e.upper95 / e.value - 1.0);
   if (!(e.lower95 > 0.0))
@@ -30,7 +30,7 @@ std::string with_interval(const Estimate& e) {
   if (percent < 1000.0)
     return fmt::format("{} = {:.3g}{}, anywhere from {:.2g} to {:.2g}", e.name, e.value, unit, e.lower95,
                        e.upper95);
-  return fmt::format("{} not at all (uncertain by more than a factor of {})", e.name,
+  return fmt::format("{} (uncertain by more than a factor of {})", e.name,
                      e.upper95 / e.value > 1000.0 ? "1000" : "10");
 }
 
@@ -38,7 +38,7 @@ bool is_knot(const Estimate& e) {
   return e.name.starts_with("shape_");
 }
 
-/// "k_elasticity^-0.52 k_damping": a product of powers that matter.
+/// Returns a product of powers, "k_elasticity^-0.52 damping", without powers near 0.
 std::string product(const Combination& c, const std::vector<Estimate>& parameters) {
   std::string text;
   for (std::size_t i = 0; i < parameters.size(); ++i) {
@@ -82,27 +82,27 @@ Sentences sorted(const Uncertainty& u, bool ratio_matters) {
   return s;
 }
 
-/// What was given beforehand is not the trace's: named where it is most of what is known (our choice: where
-/// the interval is not half as wide as what was given).
-std::string leaning_on_priors(const Uncertainty& u) {
+/// Returns a sentence that names parameters known mostly from their prior, not from the trace (our choice:
+/// the interval is more than half as wide as the prior).
+std::string note_on_priors(const Uncertainty& u) {
   std::string names;
   for (const Estimate& e : u.parameters) {
     const double spread = std::log(e.upper95 / e.lower95) / (2.0 * 1.96);
     if (e.prior > 0.0 && e.lower95 > 0.0 && spread > 0.5 * e.prior)
       names += (names.empty() ? "" : ", ") + e.name;
   }
-  return names.empty()
-             ? ""
-             : " Most of what is known of " + names + " was given beforehand (--prior), not by the trace.";
+  return names.empty() ? ""
+                       : " Most of what is known about " + names + " comes from --prior, not from the trace.";
 }
 
 std::string advice(const Uncertainty& u) {
   const bool recoil = std::any_of(u.parameters.begin(), u.parameters.end(), [](const Estimate& e) {
     return !e.identifiable && (e.name == "k_elasticity" || e.name == "damping");
   });
-  return recoil ? " A longer undisturbed expiration, a deeper and a shallower breath, or a measured dome or "
-                  "chest-wall motion would settle it."
-                : " More or quieter breaths, or fewer free parameters, would settle it.";
+  return recoil
+             ? " A longer undisturbed expiration, a deeper and a shallower breath, or a measured motion of "
+               "the dome or the chest wall would help."
+             : " More breaths, quieter breaths or fewer free parameters would help.";
 }
 
 }  // namespace
@@ -115,19 +115,20 @@ std::string verdict_of(const Uncertainty& u) {
   const bool given =
       std::any_of(u.parameters.begin(), u.parameters.end(), [](const Estimate& e) { return e.prior > 0.0; });
   if (s.open.empty())
-    return fmt::format("Determined by this trace{}{}: {}.{}", given ? " with what was given beforehand" : "",
-                       damping_free ? "" : ", for the damping assumed", s.determined, leaning_on_priors(u));
+    return fmt::format("This trace {}determines{}: {}.{}", given ? "with the given priors " : "",
+                       damping_free ? "" : ", if the damping is as assumed", s.determined, note_on_priors(u));
   std::string text;
   if (ratio_matters)
-    text = (u.parameters.size() == 2 ? "Only the ratio is determined: " : "Determined by this trace: ") +
+    text = (u.parameters.size() == 2 ? "This trace determines only the ratio: " : "This trace determines: ") +
            s.determined + ". ";
   else if (!s.determined.empty())
-    text = "Determined by this trace: " + s.determined + ". ";
+    text = "This trace determines: " + s.determined + ". ";
   else if (!u.combinations.empty() && u.parameters.size() > 1 && u.combinations.front().relative_stderr < 0.5)
-    text = fmt::format("Only a combination is determined: {} to {:.2g} %. ",
+    text = fmt::format("This trace determines only a combination: {} to {:.2g} %. ",
                        product(u.combinations.front(), u.parameters),
                        100.0 * u.combinations.front().relative_stderr);
-  return text + "Not determined by this trace: " + s.open + "." + advice(u);
+  return text + (text.empty() ? "This trace does not determine: " : "It does not determine: ") + s.open +
+         "." + advice(u);
 }
 
 }  // namespace trunk

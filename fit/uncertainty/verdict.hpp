@@ -6,7 +6,7 @@ namespace trunk {
 
 struct Uncertainty;
 
-/// One or two sentences: what the data determine, how well, and what would help.
+/// Returns one to three sentences: what the trace determines, how well, and what would help.
 std::string verdict_of(const Uncertainty& uncertainty);
 
 }  // namespace trunk

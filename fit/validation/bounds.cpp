@@ -26,7 +26,7 @@ double distance(const Table1Row& row, const Compared& column, const ValidationRu
   return row.*column.value - f.paper.experiment.*column.value;
 }
 
-/// A scenario that breathes as the experiment did.
+/// A scenario that is compared with the experiment.
 struct Simulated {
   std::string name;
   ValidatedBreath ValidationRun::*breath;
@@ -54,7 +54,7 @@ Bound difference_bound(const Simulated& ours, const Compared& column, double mm)
           [=](const ValidationRun& f) { return distance((f.*ours.breath).row, column, f); }};
 }
 
-/// Our distance to the experiment over the published model's.
+/// The ratio of our distance from the experiment to the published model's.
 Bound nearness_bound(const Compared& column) {
   return {
       "healthy." + column.csv + "_nearness",
@@ -81,14 +81,15 @@ std::vector<Bound> paralysis_bounds(const ParalysedPair& pair) {
            dome(pair.healthy_dome), open}};
 }
 
-/// The largest, NaN where any is NaN: std::max would lose it.
+/// Returns the largest value, or NaN if any value is NaN; std::max would ignore it.
 double largest(std::initializer_list<double> values) {
   double most = -infinite;
   for (double v : values) most = v <= most ? most : v > most || std::isnan(v) ? v : most;
   return most;
 }
 
-/// Between left and right paralysis: of dV and dL by themselves, of both domes by the healthy one's descent.
+/// Returns the difference between left and right paralysis: dV and dL relative to themselves, and both domes
+/// relative to the descent of the healthy dome.
 double mirror_difference_percent(const ValidationRun& f) {
   const ValidatedBreath &right = f.hemiparalysis_right, &left = f.hemiparalysis_left;
   const double descent = right.left_dome_mm;
@@ -112,8 +113,8 @@ bool Bound::holds(double v) const {
 }
 
 // The limits are our choice. k_muscle of `healthy` and `craighero` is fitted to dV; their dL, dH and dR are
-// predictions. The registered zone of apposition is 98 mm long where the paper's 9.13 mm are 6.13 % of 149
-// mm: for the same volume it shortens a little more.
+// predictions. The registered zone of apposition is only 98 mm long, and the paper's is 149 mm (9.13 mm are
+// 6.13 %). So it shortens a little more for the same volume.
 std::vector<Bound> bounds() {
   std::vector<Bound> all{error_bound(healthy, eev, 0.1),
                          error_bound(healthy, dv, 1.0),

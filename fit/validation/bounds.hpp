@@ -4,35 +4,36 @@
 
 namespace trunk {
 
-/// What a valid model must keep. A number that is not known (NaN) keeps no bound.
+/// A bound that a valid model keeps. An unknown number (NaN) keeps no bound.
 struct Bound {
   std::string name;     // for machines
   std::string meaning;  // for people
   std::string unit;
   double low, high;  // infinite where there is no limit
   std::function<double(const ValidationRun&)> value;
-  bool open = false;  // the limits themselves are outside
+  bool open = false;  // true: the limits themselves do not pass
 
   bool holds(double value) const;
 };
 
-/// Table 1: `healthy` against the experiment and against the published model; `craighero`, the paper's own
-/// subject, against the experiment. Paralysis: about half the volume, the paralysed dome rises, the healthy
-/// one descends, left mirrors right. And the abdomen keeps its volume.
+/// Returns all bounds. Table 1: `healthy` is compared with the experiment and with the published model, and
+/// `craighero`, the paper's own subject, with the experiment. Paralysis: the volume is about half, the
+/// paralysed dome rises, the healthy one descends, and left mirrors right. The abdomen keeps its volume.
 std::vector<Bound> bounds();
 
-/// A bound with what was found.
+/// A bound, the value found, and whether it passes.
 struct Judged {
   Bound bound;
   double value;
   bool pass;
 };
+/// Returns every bound with its value.
 std::vector<Judged> judged(const ValidationRun& findings);
 
-/// "-1 to 1", "at most -1", "above 0", "below 1".
+/// Returns the limits in words: "-1 to 1", "at most -1", "above 0" or "below 1".
 std::string limits_text(const Bound& bound);
 
-/// One line that says how many bounds do not hold and which, with their values; empty where all hold.
+/// Returns one line with the number of bounds that do not hold, their names and values; "" if all hold.
 std::string failures_text(std::span<const Judged> results);
 
 }  // namespace trunk

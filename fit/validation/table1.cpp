@@ -33,11 +33,12 @@ std::string expected_header() {
   return text;
 }
 
-/// Where each column is in the file: by its name there.
+/// Returns the position of each column in the file; throws InputError if a column is unknown, missing or
+/// doubled.
 std::map<std::string_view, std::size_t> places_of(const DelimitedText& table) {
   std::map<std::string_view, std::size_t> places;
   const auto fail = [&](const std::string& found) {
-    throw InputError(table.source(), table.header_line(), found + "; expected " + expected_header());
+    throw InputError({table.source(), table.header_line()}, found, expected_header());
   };
   for (std::size_t i = 0; i < table.names().size(); ++i) {
     const std::string& name = table.names()[i];
@@ -54,12 +55,11 @@ std::map<std::string_view, std::size_t> places_of(const DelimitedText& table) {
 
 void require_consistent(const Table1Row& row, const std::string& source, std::size_t line) {
   if (!(row.eev_ml > 0.0))
-    throw InputError(source, line, "eev_ml " + number_text(row.eev_ml) + " found; expected a volume above 0");
+    throw InputError({source, line}, "eev_ml is " + number_text(row.eev_ml), "a volume above 0");
   const double difference = row.eiv_ml - row.eev_ml;
   if (!(std::abs(row.dv_ml - difference) <= volume_rounding_ml))
-    throw InputError(source, line,
-                     "dv_ml " + number_text(row.dv_ml, 6) + " found; expected eiv_ml - eev_ml, which is " +
-                         number_text(difference, 6));
+    throw InputError({source, line}, "dv_ml is " + number_text(row.dv_ml, 6),
+                     "eiv_ml - eev_ml, which is " + number_text(difference, 6));
 }
 
 Table1Row read_row(const DelimitedText& table, const DelimitedText::Row& cells,
@@ -86,13 +86,14 @@ Table1 read_table1(const std::filesystem::path& path) {
     const std::string_view source = place < cells.cells.size() ? cells.cells[place] : "";
     const auto row = rows.find(source);
     if (row == rows.end() || row->second)
-      throw InputError(table.source(), cells.line,
-                       "source " + excerpt(source) + (row == rows.end() ? " found" : " found twice") +
-                           "; expected one row 'experiment' and one 'published_model'");
+      throw InputError({table.source(), cells.line},
+                       "source " + excerpt(source) + (row == rows.end() ? " found" : " found twice"),
+                       "one row 'experiment' and one 'published_model'");
     row->second = read_row(table, cells, places);
   }
   for (const auto& [source, row] : rows)
-    if (!row) throw InputError(table.source(), 0, "no row with source '" + std::string(source) + "'; add it");
+    if (!row)
+      throw InputError({table.source()}, "no row with source '" + std::string(source) + "'", "", "add it");
   return {*rows.at("experiment"), *rows.at("published_model")};
 }
 

@@ -10,8 +10,8 @@
 
 namespace trunk {
 
-/// One row of the paper's Table 1: a quiet breath, measured or simulated. Signs as in Measures: positive
-/// where the zone of apposition shortens (dL) and widens (dR), and where the domes flatten (dH).
+/// One row of the paper's Table 1: a quiet breath, measured or simulated. Signs are as in Measures: dL is
+/// positive if the zone of apposition shortens, dR if it widens, and dH if the domes flatten.
 struct Table1Row {
   double eev_ml = 0.0, eiv_ml = 0.0;     // end-expiratory and end-inspiratory lung volume
   double dv_ml = 0.0, dv_percent = 0.0;  // of the end-expiratory volume
@@ -19,7 +19,7 @@ struct Table1Row {
   double dh_mm = 0.0, dr_mm = 0.0;
 };
 
-/// A column of Table 1: the only place that knows its names, its unit and how it is shown.
+/// A column of Table 1. Only this table knows its names, its unit and its digits.
 struct Table1Column {
   std::string_view csv;      // in reference/table1.csv
   std::string_view measure;  // in `simulate --json`
@@ -30,22 +30,21 @@ struct Table1Column {
 };
 std::span<const Table1Column> table1_columns();
 
-/// What the paper printed.
+/// The two rows that the paper prints.
 struct Table1 {
   Table1Row experiment, published_model;
 };
 
-/// Reads reference/table1.csv: a column `source` and all of table1_columns(), the rows `experiment` and
-/// `published_model`, each once. Throws InputError with file and line on anything else, on end-expiratory
-/// volumes that are not above 0, and on a dV that is not the difference of the volumes within what rounding
-/// allows.
+/// Reads reference/table1.csv: a column `source` and all of table1_columns(), and one row each for
+/// `experiment` and `published_model`. Throws InputError with file and line if the table holds anything else,
+/// if an end-expiratory volume is not above 0, or if dV is not the difference of the volumes within rounding.
 Table1 read_table1(const std::filesystem::path& path);
 
-/// The row of a simulated breath from its measures_of(). NaN where the breath did not end.
+/// Returns the row of a simulated breath from its measures (see measures_of); a missing measure is NaN.
 Table1Row row_of(std::span<const NamedValue> measures);
 
-/// How far a value is from the experiment's. Percent of the latter; where that is 0 (dR), the difference in
-/// the column's own unit.
+/// The difference of a value from the experiment's: in percent of the experiment's value, or, if that is 0
+/// (dR), in the column's own unit.
 struct Table1Error {
   double value;
   bool relative;  // false: a difference

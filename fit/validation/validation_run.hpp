@@ -6,16 +6,16 @@
 
 namespace trunk {
 
-/// What validation reads off one simulated breath.
+/// The numbers of one simulated breath that validation uses.
 struct ValidatedBreath {
   std::string title, status, message;  // status as in `simulate --json`
-  Table1Row row;                       // NaN, like all below, where the breath did not end
-  double right_dome_mm = 0.0;          // descent at end-inspiration; below 0 the dome rises
+  Table1Row row;                       // this and all numbers below are NaN if the breath did not complete
+  double right_dome_mm = 0.0;          // descent at end-inspiration; negative if the dome rises
   double left_dome_mm = 0.0;
-  double volume_error = 0.0;  // largest of the abdominal volume, relative, over the breath
+  double volume_error = 0.0;  // largest relative error of the abdominal volume over the breath
 };
 
-/// Everything the bounds are about.
+/// The paper's table and all simulated breaths: what the bounds compare.
 struct ValidationRun {
   Table1 paper;
   ValidatedBreath published_healthy, healthy;
@@ -24,14 +24,14 @@ struct ValidationRun {
   ValidatedBreath exercise_healthy, exercise_hemiparalysis_right;
 };
 
-/// A scenario that validation runs, and where its breath goes.
+/// A scenario that validation runs, and the member that holds its breath.
 struct ValidatedScenario {
   std::string_view name;  // scenarios/NAME.toml
   ValidatedBreath ValidationRun::*breath;
 };
 std::span<const ValidatedScenario> validated_scenarios();
 
-/// A breath with one hemidiaphragm paralysed, beside the same trunk and activation without.
+/// A breath with one hemidiaphragm paralysed, and its twin: the same trunk and activation without paralysis.
 struct ParalysedPair {
   std::string_view name;
   ValidatedBreath ValidationRun::*breath;
@@ -39,13 +39,13 @@ struct ParalysedPair {
   double ValidatedBreath::*paralysed_dome;
   double ValidatedBreath::*healthy_dome;
 
-  /// dV, percent of the healthy twin's.
+  /// Returns dV in percent of the healthy twin's.
   double volume_percent(const ValidationRun& f) const;
 };
 std::span<const ParalysedPair> paralysed_pairs();
 
-/// Simulates every scenario of validated_scenarios() in `folder`. `note` is called with the name of each
-/// before it runs. Throws InputError on files that cannot be read; a breath that diverges is a finding.
+/// Simulates every scenario of validated_scenarios() in `folder`, and calls `note` with each name before it
+/// runs. Throws InputError if a file cannot be read. A breath that diverges is no error; its status says so.
 ValidationRun run_validation(const std::filesystem::path& table1, const std::filesystem::path& folder,
                              const std::function<void(std::string_view name)>& note);
 

@@ -201,7 +201,7 @@ class Csv(Afterwards):
     def test_a_summary_has_no_frames(self):
         self.simulate("a.h5", "--every", "0")
         self.assertEqual(len(self.succeeds("export", "a.h5", "--csv", "out")["files"]), 3)
-        self.refused("export", "a.h5", "--vtk", "vtk", says="a.h5: has no trajectory, expected a run simulated without --every 0")
+        self.refused("export", "a.h5", "--vtk", "vtk", says="a.h5: has no trajectory; expected a run simulated without --every 0")
 
     def test_two_formats_at_once_and_again_by_force(self):
         self.simulate("a.h5")

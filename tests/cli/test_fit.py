@@ -81,7 +81,7 @@ class Fit(TrunkTest):
                          one["parameters"]["k_muscle"]["value"])
 
     def test_names_and_values_that_are_wrong(self):
-        for options, says in ((("--free", "strength"), "'strength'.* expected one of k_elasticity, k_muscle"),
+        for options, says in ((("--free", "strength"), "'strength'.*; expected one of k_elasticity, k_muscle"),
                               (("--free", "k_muscle,k_muscle"), "'k_muscle'.* twice"),
                               (("--fix", "strength=3"), "'strength'.* expected one of"),
                               (("--fix", "k_elasticity"), "expected name=value"),
@@ -91,7 +91,7 @@ class Fit(TrunkTest):
                               (("--fix", "k_elasticity=@t.csv"), "t.csv: is not an HDF5 file; expected"),
                               (("--fix", "k_muscle=3", "--fix", "k_elasticity=4000"), "no parameter is free"),
                               (("--fix", "k_muscle=3", "--free", "k_muscle"), "both free and fixed"),
-                              (("--algorithm", "guess"), "'guess', expected bobyqa"),
+                              (("--algorithm", "guess"), "'guess'; expected bobyqa"),
                               (("--max-evaluations", "0"), "--max-evaluations.* 0 "),
                               (("--tidal-volume-ml", "500"), "one of the two"),
                               (("--breath", "6"), r"t.csv: breath 6 asked for; expected 1 to 5"),

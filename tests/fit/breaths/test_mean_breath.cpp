@@ -8,7 +8,7 @@
 
 using namespace trunk;
 
-TEST_CASE("the mean breath keeps shape, timing and size", "[unit][breaths]") {
+TEST_CASE("The mean breath keeps shape, timing and size", "[unit][breaths]") {
   Record record;
   record.breaths = {
       {}, {450e-6, 1.2, 2.0, 0}, {550e-6, 1.8, 2.4, 0}, {450e-6, 1.2, 2.0, 0}, {550e-6, 1.8, 2.4, 0}, {}};
@@ -36,7 +36,7 @@ TEST_CASE("the mean breath keeps shape, timing and size", "[unit][breaths]") {
   CHECK(mean_breath(found).time_s.size() == 200);
 }
 
-TEST_CASE("rejected breaths are not averaged, but can be asked for", "[unit][breaths]") {
+TEST_CASE("Rejected breaths are not averaged, but can be asked for", "[unit][breaths]") {
   Record record;
   record.breaths[2].tidal_volume_m3 = 1300e-6;
   const Segmentation found = segment_breaths(volume_trace(record));
@@ -60,7 +60,7 @@ TEST_CASE("rejected breaths are not averaged, but can be asked for", "[unit][bre
                         Contains("--include"));
 }
 
-TEST_CASE("sigma of one breath is its noise, or what the trace says", "[unit][breaths]") {
+TEST_CASE("Sigma of one breath is its noise, or the sigma of the trace", "[unit][breaths]") {
   Record record;
   record.noise_m3 = 12e-6;
   Trace trace = volume_trace(record);
@@ -74,7 +74,7 @@ TEST_CASE("sigma of one breath is its noise, or what the trace says", "[unit][br
   CHECK(mean.pause_s == Approx(0.5).margin(0.25));
 }
 
-TEST_CASE("the mean of noisy breaths is the breath without noise", "[unit][breaths]") {
+TEST_CASE("The mean of noisy breaths is the breath without noise", "[unit][breaths]") {
   Record record;
   record.breaths.resize(30);
   record.noise_m3 = 4e-6;
@@ -124,7 +124,7 @@ TEST_CASE("The breaths of real recordings are found, from flow and from volumes 
   CHECK(first.period_s == Approx(3.2).epsilon(0.02));
 }
 
-TEST_CASE("the constructed trace has its 8 breaths of 466 ml in the mean", "[unit][breaths]") {
+TEST_CASE("The constructed trace has its 8 breaths of 466 ml in the mean", "[unit][breaths]") {
   const auto file = std::filesystem::path(TRUNK_SOURCE_DIR) / "reference/constructed_trace.csv";
   const SegmentSummary summary = summary_of(segment_breaths(read_trace(file)));
   CHECK(summary.found == 8);

@@ -27,7 +27,7 @@ void check_found(const Segmentation& found, const Record& record, std::size_t fi
 
 }  // namespace
 
-TEST_CASE("clean breaths are found at any sampling rate", "[unit][breaths]") {
+TEST_CASE("Clean breaths are found at any sampling rate", "[unit][breaths]") {
   Record record;
   record.rate_hz = GENERATE(10.0, 50.0, 100.0, 500.0, 2000.0);
   CAPTURE(record.rate_hz);
@@ -40,7 +40,7 @@ TEST_CASE("clean breaths are found at any sampling rate", "[unit][breaths]") {
   }
 }
 
-TEST_CASE("breaths of one record may differ; cut ones at its ends do not count", "[unit][breaths]") {
+TEST_CASE("Breaths of one record may differ; cut ones at its ends do not count", "[unit][breaths]") {
   Record record;
   record.breaths = {{}, {450e-6, 1.2, 2.0, 0.2}, {560e-6, 1.7, 2.2, 0.4}, {510e-6, 1.4, 1.9, 0.6}, {}};
   SECTION("cut in expiration and expiration") {
@@ -55,7 +55,7 @@ TEST_CASE("breaths of one record may differ; cut ones at its ends do not count",
   CHECK_THAT(found.notes.back(), Contains("not used"));
 }
 
-TEST_CASE("a last expiration that the record cuts does not count as whole", "[unit][breaths]") {
+TEST_CASE("A last expiration that the record cuts does not count as whole", "[unit][breaths]") {
   Record record;
   record.breaths.resize(6);
   record.cut_s = 0.9;  // of 2.5 s: nearly empty already, and no pause seen
@@ -68,7 +68,7 @@ TEST_CASE("a last expiration that the record cuts does not count as whole", "[un
   }
 }
 
-TEST_CASE("a record of one whole breath is enough", "[unit][breaths]") {
+TEST_CASE("A record of one whole breath is enough", "[unit][breaths]") {
   Record record;
   record.breaths.resize(1);
   record.rate_hz = 100;
@@ -76,7 +76,7 @@ TEST_CASE("a record of one whole breath is enough", "[unit][breaths]") {
   CHECK(segment_breaths(volume_trace(record)).breaths[0].end_s == Approx(4.0).margin(0.011));
 }
 
-TEST_CASE("noise moves breaths little and makes none", "[unit][breaths]") {
+TEST_CASE("Noise moves breaths little and makes none", "[unit][breaths]") {
   Record record;
   record.breaths.resize(12);
   record.rate_hz = GENERATE(10.0, 100.0, 2000.0);
@@ -85,7 +85,7 @@ TEST_CASE("noise moves breaths little and makes none", "[unit][breaths]") {
   check_found(segment_breaths(volume_trace(record)), record, 0, 12, 0.25, 0.06);
 }
 
-TEST_CASE("a drift is removed, from a volume and from a flow's integral", "[unit][breaths]") {
+TEST_CASE("A drift is removed, from a volume and from a flow's integral", "[unit][breaths]") {
   Record record;
   record.breaths.resize(8);
   const double drift = GENERATE(-60e-6, -20e-6, 20e-6, 60e-6);  // up to half a tidal volume a breath
@@ -104,7 +104,7 @@ TEST_CASE("a drift is removed, from a volume and from a flow's integral", "[unit
   }
 }
 
-TEST_CASE("resets of the volume are undone", "[unit][breaths]") {
+TEST_CASE("Resets of the volume are undone", "[unit][breaths]") {
   Record record;
   record.breaths.resize(8);
   record.skip_s = 2.3;
@@ -117,7 +117,7 @@ TEST_CASE("resets of the volume are undone", "[unit][breaths]") {
     REQUIRE(std::abs(found.volume_m3[i] - found.volume_m3[i - 1]) < 8e-6);
 }
 
-TEST_CASE("pauses belong to the breath before them, and plateaus have their peak in the middle",
+TEST_CASE("Pauses belong to the breath before them, and plateaus have their peak in the middle",
           "[unit][breaths]") {
   Record record;
   record.breaths = std::vector<SyntheticShape>(6, SyntheticShape{500e-6, 1.0, 1.5, 2.5});
@@ -133,7 +133,7 @@ TEST_CASE("pauses belong to the breath before them, and plateaus have their peak
   for (const auto& breath : found.breaths) CHECK(breath.peak_s - breath.onset_s == Approx(1.074).margin(0.1));
 }
 
-TEST_CASE("odd breaths are listed and rejected with a reason", "[unit][breaths]") {
+TEST_CASE("Odd breaths are listed and rejected with a reason", "[unit][breaths]") {
   Record record;
   record.breaths.resize(9);
   SECTION("a sigh") {
@@ -167,7 +167,7 @@ TEST_CASE("odd breaths are listed and rejected with a reason", "[unit][breaths]"
   CHECK(std::count_if(found.breaths.begin(), found.breaths.end(), [](auto& b) { return b.kept; }) >= 8);
 }
 
-TEST_CASE("spikes of one sample are repaired, and said so", "[unit][breaths]") {
+TEST_CASE("Spikes of one sample are repaired, and a note says so", "[unit][breaths]") {
   Record record;
   Trace trace = volume_trace(record);
   trace.value[730] = 9e-3;
@@ -177,7 +177,7 @@ TEST_CASE("spikes of one sample are repaired, and said so", "[unit][breaths]") {
   CHECK_THAT(found.notes.at(0), Contains("2 spike(s) replaced"));
 }
 
-TEST_CASE("spikes of several samples, and close to each other, are repaired", "[unit][breaths]") {
+TEST_CASE("Spikes of several samples, and close to each other, are repaired", "[unit][breaths]") {
   Record record;
   record.rate_hz = 500;
   Trace trace = volume_trace(record);
@@ -188,7 +188,7 @@ TEST_CASE("spikes of several samples, and close to each other, are repaired", "[
   CHECK_THAT(found.notes.at(0), Contains("3 spike(s)"));
 }
 
-TEST_CASE("onsets and sizes are not moved to one side by noise", "[unit][breaths]") {
+TEST_CASE("Onsets and sizes are not moved to one side by noise", "[unit][breaths]") {
   Record record;
   record.breaths =
       std::vector<SyntheticShape>(24, GENERATE(SyntheticShape{}, SyntheticShape{500e-6, 1.5, 2.0, 0},
@@ -211,7 +211,7 @@ TEST_CASE("onsets and sizes are not moved to one side by noise", "[unit][breaths
   CHECK(std::abs(volume) < 0.006);
 }
 
-TEST_CASE("quick breaths without a pause, sampled slowly", "[unit][breaths]") {
+TEST_CASE("Quick breaths without a pause are found at a low sampling rate", "[unit][breaths]") {
   Record record;
   record.breaths = std::vector<SyntheticShape>(20, SyntheticShape{300e-6, 0.73, 1.09, 0});
   record.rate_hz = GENERATE(15.0, 25.0, 100.0);
@@ -219,7 +219,7 @@ TEST_CASE("quick breaths without a pause, sampled slowly", "[unit][breaths]") {
   check_found(segment_breaths(flow_trace(record, 8e-6)), record, 0, 20, 0.06, 0.05);
 }
 
-TEST_CASE("a ventilator with leak: the flow's integral drifts by litres", "[unit][breaths]") {
+TEST_CASE("Breaths of a ventilator are found although its flow drifts by litres", "[unit][breaths]") {
   Record record;
   record.breaths = std::vector<SyntheticShape>(40, SyntheticShape{500e-6, 1.4, 2.0, 1.5, true});
   record.rate_hz = 50;
@@ -238,7 +238,7 @@ TEST_CASE("a ventilator with leak: the flow's integral drifts by litres", "[unit
   CHECK_THAT(found.notes.at(0), Contains("a drift of 125 ml a breath"));
 }
 
-TEST_CASE("a base line that wanders moves no breath", "[unit][breaths]") {
+TEST_CASE("A base line that wanders moves no breath", "[unit][breaths]") {
   Record record;
   record.breaths.resize(40);
   record.noise_m3 = 4e-6;
@@ -258,7 +258,7 @@ TEST_CASE("a base line that wanders moves no breath", "[unit][breaths]") {
   check_found(segment_breaths(trace), record, 0, 40, 0.2, 0.08);
 }
 
-TEST_CASE("the heart beats in the signal, and is not taken for breaths", "[unit][breaths]") {
+TEST_CASE("Heart beats in the signal are not taken for breaths", "[unit][breaths]") {
   Record record;
   record.breaths.resize(12);
   Trace trace = volume_trace(record);
@@ -267,7 +267,7 @@ TEST_CASE("the heart beats in the signal, and is not taken for breaths", "[unit]
   check_found(segment_breaths(trace), record, 0, 12, 0.6, 0.1);
 }
 
-TEST_CASE("after an apnoea the next breath begins where it begins", "[unit][breaths]") {
+TEST_CASE("After an apnoea the next breath begins where it begins", "[unit][breaths]") {
   Record record;
   record.breaths = std::vector<SyntheticShape>(12, SyntheticShape{350e-6, 0.65, 0.85, 0});
   record.breaths[5].pause_s = 10;
@@ -279,7 +279,7 @@ TEST_CASE("after an apnoea the next breath begins where it begins", "[unit][brea
   CHECK(found.breaths[6].onset_s == Approx(onsets_of(record)[6]).margin(0.04));
 }
 
-TEST_CASE("resets at every third breath, in noise", "[unit][breaths]") {
+TEST_CASE("Resets at every third breath are undone in noise", "[unit][breaths]") {
   Record record;
   record.breaths.resize(12);
   record.drift_m3_s = -20e-6;
@@ -291,7 +291,7 @@ TEST_CASE("resets at every third breath, in noise", "[unit][breaths]") {
   check_found(found, record, 0, 12, 0.25, 0.05);
 }
 
-TEST_CASE("a signal cut off at its top is noted with its share", "[unit][breaths]") {
+TEST_CASE("A signal cut off at its top is noted with its share", "[unit][breaths]") {
   Trace trace = volume_trace({});
   for (double& v : trace.value) v = std::min(v, 425e-6);
   CHECK_THAT(segment_breaths(trace).notes.at(0),
@@ -299,7 +299,7 @@ TEST_CASE("a signal cut off at its top is noted with its share", "[unit][breaths
   for (const auto& note : segment_breaths(volume_trace({})).notes) CHECK_THAT(note, !Contains("clipped"));
 }
 
-TEST_CASE("a rest or a top of ten minutes costs no more than others and blurs none", "[unit][breaths]") {
+TEST_CASE("A rest or a top of ten minutes costs no more time and blurs no other turn", "[unit][breaths]") {
   Record record;
   record.breaths[3].pause_s = 600;
   Trace trace = volume_trace(record);
@@ -313,7 +313,7 @@ TEST_CASE("a rest or a top of ten minutes costs no more than others and blurs no
   for (std::size_t i = 0; i < 6; ++i) CHECK(found[i].onset_s == Approx(onsets[i]).margin(0.05));
 }
 
-TEST_CASE("a slow regular wander larger than the breaths is not taken for them", "[unit][breaths]") {
+TEST_CASE("A slow regular wander larger than the breaths is not taken for them", "[unit][breaths]") {
   Record record;
   record.breaths.resize(40);
   Trace trace = volume_trace(record);
@@ -322,7 +322,7 @@ TEST_CASE("a slow regular wander larger than the breaths is not taken for them",
   CHECK(segment_breaths(trace).breaths.size() == 40);
 }
 
-TEST_CASE("what is no breathing", "[unit][breaths]") {
+TEST_CASE("A signal that is not breathing is refused", "[unit][breaths]") {
   Trace constant = volume_trace({});
   std::fill(constant.value.begin(), constant.value.end(), 300e-6);
   CHECK_THAT(error_of(constant), Contains("made.csv: all 2401 samples of the volume are 300 ml"));
@@ -336,7 +336,7 @@ TEST_CASE("what is no breathing", "[unit][breaths]") {
   CHECK_THAT(error_of(volume_trace(half)), Contains("made.csv: no whole breath in 2.5 s"));
 }
 
-TEST_CASE("wrong units are told from what they make of the breaths", "[unit][breaths]") {
+TEST_CASE("A wrong unit is recognised from the breaths that it gives", "[unit][breaths]") {
   const auto scaled = [](Trace trace, double time, double value, std::string time_unit,
                          std::string value_unit) {
     for (double& t : trace.time_s) t *= time;
@@ -347,10 +347,10 @@ TEST_CASE("wrong units are told from what they make of the breaths", "[unit][bre
   };
   const Trace volume = volume_trace({}), flow = flow_trace({}, 0);
   CHECK_THAT(error_of(scaled(volume, 1000, 1, "s", "ml")),
-             Contains("made.csv: the breaths found last 3999 s") &&
+             Contains("made.csv: the median breath lasts 3999 s; expected 0.8 to 30 s") &&
                  Contains("may hold milliseconds: name it time_ms"));
   CHECK_THAT(error_of(scaled(volume, 1e-3, 1, "ms", "ml")),
-             Contains("last 0.004 s") && Contains("may hold seconds: name it time_s"));
+             Contains("lasts 0.004 s") && Contains("may hold seconds: name it time_s"));
   CHECK_THAT(error_of(scaled(volume, 1, 1e-3, "s", "ml")),
              Contains("tidal volume of 0.5 ml") && Contains("may hold litres: name it volume_L"));
   CHECK_THAT(error_of(scaled(volume, 1, 1e3, "s", "L")), Contains("may hold millilitres: name it volume_ml"));

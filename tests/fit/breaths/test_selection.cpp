@@ -9,7 +9,7 @@
 using namespace trunk;
 using BreathNumbers = std::vector<std::size_t>;
 
-TEST_CASE("numbers of breaths and ranges of them", "[unit][breaths]") {
+TEST_CASE("Numbers of breaths are read, also as ranges", "[unit][breaths]") {
   CHECK(breath_numbers("--exclude", "3") == BreathNumbers{3});
   CHECK(breath_numbers("--exclude", "3,7,9-11") == BreathNumbers{3, 7, 9, 10, 11});
   CHECK(breath_numbers("--exclude", "4-4") == BreathNumbers{4});
@@ -21,7 +21,7 @@ TEST_CASE("numbers of breaths and ranges of them", "[unit][breaths]") {
   }
 }
 
-TEST_CASE("the user's choice of breaths overrules the program's", "[unit][breaths]") {
+TEST_CASE("The user's choice of breaths overrules the program's", "[unit][breaths]") {
   Record record;
   record.breaths[2].tidal_volume_m3 = 1300e-6;
   const Trace trace = volume_trace(record);
@@ -46,7 +46,7 @@ TEST_CASE("the user's choice of breaths overrules the program's", "[unit][breath
                     Contains("none of the 6 whole breaths"));
 }
 
-TEST_CASE("a belt has breaths in its own unit until it is calibrated", "[unit][breaths]") {
+TEST_CASE("A belt has breaths in its own unit until it is calibrated", "[unit][breaths]") {
   Record record;
   record.breaths.resize(9);
   record.breaths[4].tidal_volume_m3 = 1400e-6;
@@ -73,7 +73,7 @@ TEST_CASE("a belt has breaths in its own unit until it is calibrated", "[unit][b
   CHECK_THROWS_WITH(segment_breaths(trace), Contains("name it time_ms"));
 }
 
-TEST_CASE("a volume of wrong calibration is scaled, its deviations too", "[unit][breaths]") {
+TEST_CASE("A volume of wrong calibration is scaled, its deviations too", "[unit][breaths]") {
   Trace trace = volume_trace({});
   for (double& v : trace.value) v *= 1e-3;  // half a millilitre a breath: refused without
   trace.sigma_m3.assign(trace.value.size(), 31e-9);
@@ -84,7 +84,7 @@ TEST_CASE("a volume of wrong calibration is scaled, its deviations too", "[unit]
   CHECK_THAT(scaled.notes.at(0), Contains("is 500 ml, which was 0.5 ml"));
 }
 
-TEST_CASE("a planted turn is found again, whatever its shape", "[unit][breaths]") {
+TEST_CASE("A planted turn is found again, whatever its shape", "[unit][breaths]") {
   const double before = GENERATE(0.0, HUGE_VAL), after = GENERATE(0.0, 0.2, HUGE_VAL),
                end = GENERATE(1.2, 1.8);
   CAPTURE(before, after, end);
@@ -102,7 +102,7 @@ TEST_CASE("a planted turn is found again, whatever its shape", "[unit][breaths]"
   CHECK(turn.level == Approx(7).margin(0.02));
 }
 
-TEST_CASE("a turn whose one side is not in the record", "[unit][breaths]") {
+TEST_CASE("A turn is found although one of its sides is not in the record", "[unit][breaths]") {
   std::vector<double> time, volume;
   for (int i = 0; i < 50; ++i) {
     time.push_back(0.02 * i);

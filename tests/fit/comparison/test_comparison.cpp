@@ -20,7 +20,7 @@ using Names = std::vector<std::string>;
 
 }  // namespace
 
-TEST_CASE("equal records are the same, NaN included, and clock times do not count", "[comparison]") {
+TEST_CASE("Equal records are the same, NaN included, and clock times do not count", "[comparison]") {
   RunRecord run = sample_run();
   run.measures.push_back({"delta_r", "mm", std::nan("")});
   RunRecord later = run;
@@ -32,7 +32,7 @@ TEST_CASE("equal records are the same, NaN included, and clock times do not coun
   CHECK(compare_fits(sample_fit(), sample_fit(), usual).same());
 }
 
-TEST_CASE("a difference is named with both numbers", "[comparison]") {
+TEST_CASE("A difference is named with both numbers", "[comparison]") {
   const RunRecord run = sample_run();
   RunRecord other = run;
   other.status = "diverged";
@@ -54,7 +54,7 @@ TEST_CASE("a difference is named with both numbers", "[comparison]") {
   CHECK(back.differences[3].first == c.differences[3].second);
 }
 
-TEST_CASE("what only one of them has is a difference, but for the trajectory", "[comparison]") {
+TEST_CASE("A name in only one file is a difference, but a trajectory in only one is not", "[comparison]") {
   const RunRecord run = sample_run();
   RunRecord less = run;
   less.measures.pop_back(), less.measures.pop_back();
@@ -69,7 +69,7 @@ TEST_CASE("what only one of them has is a difference, but for the trajectory", "
   CHECK(names(compare_runs(run, two_particles, usual)) == Names{"trajectory position"});
 }
 
-TEST_CASE("the tolerance is relative, with a floor", "[comparison]") {
+TEST_CASE("The tolerance is relative, with a floor", "[comparison]") {
   RunRecord run, other;
   const auto same = [&](double a, double b, const Tolerance& tolerance) {
     run.measures = {{"x", "mm", a}};
@@ -85,7 +85,7 @@ TEST_CASE("the tolerance is relative, with a floor", "[comparison]") {
   CHECK_FALSE(same(0.0, 1e-300, {0.0, 0.0}));
 }
 
-TEST_CASE("curves of different steps are compared where both have values", "[comparison]") {
+TEST_CASE("Curves of different steps are compared where both have values", "[comparison]") {
   RunRecord fine, coarse;
   Series volume{"dV_model", "ml", "", {}};
   for (int i = 0; i <= 1000; ++i) {
@@ -111,7 +111,7 @@ TEST_CASE("curves of different steps are compared where both have values", "[com
   CHECK(compare_runs(fine, coarse, usual).differences.at(0).note == "they do not last equally long");
 }
 
-TEST_CASE("fits differ in estimates, statistics, curves and the best run", "[comparison]") {
+TEST_CASE("Fits differ in estimates, statistics, curves and the best run", "[comparison]") {
   const FitRecord fit = sample_fit();
   FitRecord other = fit;
   other.parameters[0].best *= 1.01;

@@ -40,7 +40,7 @@ Scenario healthy_scenario() {
 
 }  // namespace
 
-TEST_CASE("a twin at half the step gives its parameters back to 1e-3 from ten starts", "[regression][slow]") {
+TEST_CASE("A twin at half the step gives its parameters back to 1e-3 from ten starts", "[regression][slow]") {
   const Scenario s = healthy_scenario();
   const Trunk trunk = make_trunk(s);
   Parameters<double> truth = s.parameters;
@@ -63,7 +63,7 @@ TEST_CASE("a twin at half the step gives its parameters back to 1e-3 from ten st
   WARN("largest relative error of k_elasticity from ten starts: " << worst);
 }
 
-TEST_CASE("a tidal volume alone is met exactly, without uncertainty", "[regression][slow]") {
+TEST_CASE("A tidal volume alone is met exactly, without uncertainty", "[regression][slow]") {
   const Scenario s = healthy_scenario();
   const Trunk trunk = make_trunk(s);
   const SearchSpace space({"k_muscle"}, {s.parameters, s.activation});
@@ -75,7 +75,7 @@ TEST_CASE("a tidal volume alone is met exactly, without uncertainty", "[regressi
   CHECK_THAT(e.uncertainty->verdict, Contains("no uncertainty"));
 }
 
-TEST_CASE("a slow breath with noise determines the ratio and says so", "[regression][slow]") {
+TEST_CASE("A slow breath with noise determines the ratio and says so", "[regression][slow]") {
   Scenario s = healthy_scenario();
   s.parameters.damping = 2.0;  // hardly any lag: k_elasticity by itself leaves no trace
   const Trunk trunk = make_trunk(s);
@@ -94,10 +94,10 @@ TEST_CASE("a slow breath with noise determines the ratio and says so", "[regress
   CHECK_FALSE(e.uncertainty->identifiable);
   CHECK(e.uncertainty->ratio.identifiable);
   CHECK(e.uncertainty->ratio.value == Approx(s.parameters.muscle / s.parameters.elasticity).epsilon(0.05));
-  CHECK_THAT(e.uncertainty->verdict, Contains("Only the ratio is determined"));
+  CHECK_THAT(e.uncertainty->verdict, Contains("This trace determines only the ratio"));
 }
 
-TEST_CASE("runs that fail are counted, and the fit goes on", "[regression][slow]") {
+TEST_CASE("Runs that fail are counted, and the fit continues", "[regression][slow]") {
   Scenario s = healthy_scenario();
   s.time.dt_s = 4e-3;  // stable at 4000 N/m, not at the upper bound: there it is simulated in steps of 1 ms
   const Trunk trunk = make_trunk(s);
@@ -119,7 +119,7 @@ TEST_CASE("runs that fail are counted, and the fit goes on", "[regression][slow]
   CHECK(e.best.parameters.elasticity == Approx(s.parameters.elasticity).epsilon(0.02));
 }
 
-TEST_CASE("a sniff before the breath traps one search, and many starts find the breath",
+TEST_CASE("A sniff before the breath traps one search, and many starts find the breath",
           "[regression][slow]") {
   Scenario s = healthy_scenario();
   s.time = {4e-3, 5.0};
@@ -152,7 +152,7 @@ TEST_CASE("a sniff before the breath traps one search, and many starts find the 
   CHECK(again.search.best == best.search.best);  // seeded
 }
 
-TEST_CASE("a robust loss passes over what least squares runs after", "[regression][slow]") {
+TEST_CASE("A robust loss ignores an outlier that least squares follows", "[regression][slow]") {
   Scenario s = healthy_scenario();
   s.time.dt_s = 4e-3;
   const Trunk trunk = make_trunk(s);

@@ -10,7 +10,7 @@
 
 using namespace trunk;
 
-TEST_CASE("entries survive their ledger, bit for bit", "[unit]") {
+TEST_CASE("Entries survive their ledger, bit for bit", "[unit]") {
   const test::TemporaryFolder folder;
   const auto path = folder / "f.ledger";
   const std::string key("\0a\xff", 3);
@@ -32,7 +32,7 @@ TEST_CASE("entries survive their ledger, bit for bit", "[unit]") {
   CHECK_FALSE(std::filesystem::exists(path));
 }
 
-TEST_CASE("another problem begins anew, another file is refused", "[unit]") {
+TEST_CASE("A ledger of another problem starts empty, and another file is refused", "[unit]") {
   const test::TemporaryFolder folder;
   const auto path = folder / "f.ledger";
   Ledger(path, "problem").add("key", {1, 1.0, 0.0, {1.0}});
@@ -45,7 +45,7 @@ TEST_CASE("another problem begins anew, another file is refused", "[unit]") {
   CHECK_THROWS_WITH(Ledger(text, "problem"), Contains("is not a ledger"));
 }
 
-TEST_CASE("what a ledger says is looked at before it is believed", "[unit]") {
+TEST_CASE("An entry of a ledger is checked before it is used", "[unit]") {
   Scenario s = test::shipped("healthy");
   s.time = {4e-3, 0.2};
   const Trunk trunk = make_trunk(s);

@@ -7,7 +7,7 @@
 
 using namespace trunk;
 
-TEST_CASE("Work is done once each on any number of threads, and stops when told to", "[unit]") {
+TEST_CASE("Each item is done once on any number of threads, and work stops when it is cancelled", "[unit]") {
   std::vector<std::size_t> items(500);
   std::iota(items.begin(), items.end(), std::size_t{0});
   for (unsigned threads : {1u, 2u, 7u}) {

@@ -15,7 +15,7 @@ Candidate healthy() {
 
 }  // namespace
 
-TEST_CASE("coordinates and natural values go back and forth, for every parameter there is", "[unit]") {
+TEST_CASE("Coordinates and natural values go back and forth, for every parameter there is", "[unit]") {
   std::vector<std::string> all;
   for (const FreeParameter& p : free_parameters()) all.emplace_back(p.name);
   const SearchSpace space(all, healthy());
@@ -31,7 +31,7 @@ TEST_CASE("coordinates and natural values go back and forth, for every parameter
   CHECK(space.decode(space.start()).parameters.abdomen_factor == Approx(0.8));
 }
 
-TEST_CASE("bounds lie inside what a scenario may say, and the healthy scenario inside the bounds", "[unit]") {
+TEST_CASE("Bounds lie inside what a scenario may say, and the healthy scenario inside the bounds", "[unit]") {
   const Candidate c = healthy();
   for (const FreeParameter& p : free_parameters()) {
     INFO(p.name);
@@ -47,7 +47,8 @@ TEST_CASE("bounds lie inside what a scenario may say, and the healthy scenario i
   }
 }
 
-TEST_CASE("k_muscle is searched for as a ratio, so moving k_elasticity moves it along", "[unit]") {
+TEST_CASE("A search changes k_muscle together with k_elasticity, because its coordinate is a ratio",
+          "[unit]") {
   const SearchSpace space({"k_elasticity", "k_muscle", "onset"}, healthy());
   Eigen::VectorXd x = space.start();
   x[0] += std::log(2.0);
@@ -65,7 +66,7 @@ TEST_CASE("k_muscle is searched for as a ratio, so moving k_elasticity moves it 
   }
 }
 
-TEST_CASE("names stand for several parameters", "[unit]") {
+TEST_CASE("Group names stand for several parameters", "[unit]") {
   const auto timing = parameter_names({"timing"}), shape = parameter_names({"k_muscle", "shape"});
   CHECK(std::set<std::string>(timing.begin(), timing.end()) ==
         std::set<std::string>{"onset", "rise", "fast_fall", "slow_fall"});
@@ -74,7 +75,7 @@ TEST_CASE("names stand for several parameters", "[unit]") {
                     Contains("'strength'") && Contains("k_muscle") && Contains("shape"));
 }
 
-TEST_CASE("what is estimated beside comes after what is asked for, and once", "[unit]") {
+TEST_CASE("Nuisance parameters come after those asked for, and only once", "[unit]") {
   const SearchSpace space({"k_muscle", "rise"}, healthy(), {"onset", "rise", "slow_fall"});
   REQUIRE(space.size() == 4);
   CHECK(space.asked_for() == 2);
@@ -83,7 +84,7 @@ TEST_CASE("what is estimated beside comes after what is asked for, and once", "[
   CHECK_FALSE(space.find("damping"));
 }
 
-TEST_CASE("priors are residuals of deviation one about what was known", "[unit]") {
+TEST_CASE("Priors are residuals of deviation one about their mean", "[unit]") {
   const SearchSpace space(
       {"k_elasticity", "k_muscle", "onset", "shape_rise_5"}, healthy(), {},
       {{"k_elasticity", 5000.0, std::log(1.5)}, {"k_muscle", {}, 0.2}, {"onset", {}, 0.0}});
@@ -104,7 +105,7 @@ TEST_CASE("priors are residuals of deviation one about what was known", "[unit]"
   CHECK(space.prior_residuals(space.start()).tail(7).norm() == Approx(0.0).margin(1e-12));
 }
 
-TEST_CASE("a space that makes no sense is refused in words", "[unit]") {
+TEST_CASE("A search space that makes no sense is refused with a reason", "[unit]") {
   CHECK_THROWS_WITH(SearchSpace({}, healthy()), Contains("no parameter is free"));
   CHECK_THROWS_WITH(SearchSpace({"k_muscel"}, healthy()), Contains("k_muscel") && Contains("k_muscle"));
   CHECK_THROWS_WITH(SearchSpace({"damping", "damping"}, healthy()), Contains("twice"));

@@ -38,7 +38,7 @@ SearchOptions with(const char* algorithm, int evaluations = 5000) {
 
 }  // namespace
 
-TEST_CASE("every algorithm finds the bottom of a valley and returns the best point seen", "[unit]") {
+TEST_CASE("Every algorithm finds the bottom of a valley and returns the best point seen", "[unit]") {
   for (const char* name : {"bobyqa", "sbplx", "cobyla", "neldermead", "lbfgs", "slsqp", "mma", "lm"}) {
     INFO(name);
     double lowest = 1e300;
@@ -57,7 +57,7 @@ TEST_CASE("every algorithm finds the bottom of a valley and returns the best poi
   }
 }
 
-TEST_CASE("global algorithms leave a local minimum that a local one stays in", "[unit]") {
+TEST_CASE("Global algorithms leave a local minimum that a local one stays in", "[unit]") {
   // Two hollows: 0 at (1, 1), 0.09 at (-1, -1).
   const LeastSquares problem = in_box(
       [](const Eigen::VectorXd& x) {
@@ -93,7 +93,7 @@ TEST_CASE("Sobol starts fill the box, the same for the same seed", "[unit]") {
   CHECK(starts[0] != sobol_starts(problem, 1, 8)[0]);
 }
 
-TEST_CASE("a minimum outside the box ends on its wall and never leaves it", "[unit]") {
+TEST_CASE("A minimum outside the box ends on its wall and never leaves it", "[unit]") {
   for (const char* name : {"bobyqa", "lm"}) {
     const LeastSquares problem = in_box(
         [](const Eigen::VectorXd& x) {
@@ -106,7 +106,7 @@ TEST_CASE("a minimum outside the box ends on its wall and never leaves it", "[un
   }
 }
 
-TEST_CASE("one coordinate works with the default algorithm, which needs two", "[unit]") {
+TEST_CASE("One coordinate works with the default algorithm, which needs two", "[unit]") {
   const LeastSquares problem =
       in_box([](const Eigen::VectorXd& x) { return Eigen::VectorXd::Constant(1, x[0] - 0.5); }, -3, 3, 1);
   for (const char* name : {"bobyqa", "lm"}) {
@@ -116,7 +116,7 @@ TEST_CASE("one coordinate works with the default algorithm, which needs two", "[
   }
 }
 
-TEST_CASE("where the model fails, a search takes its step back", "[unit]") {
+TEST_CASE("A search takes its step back if the model fails", "[unit]") {
   LeastSquares problem = in_box(valley, -2, 2);
   const auto outcomes = problem.outcomes;
   int failures = 0;
@@ -134,7 +134,7 @@ TEST_CASE("where the model fails, a search takes its step back", "[unit]") {
   CHECK(r.best[0] == Approx(0.3).margin(1e-3));
 }
 
-TEST_CASE("coordinates that are held stay where they are", "[unit]") {
+TEST_CASE("Coordinates that are held do not move", "[unit]") {
   const LeastSquares problem = in_box(valley, -2, 2);
   const Eigen::Vector2d at(0.7, -1.0);
   const SearchResult r =
@@ -143,7 +143,7 @@ TEST_CASE("coordinates that are held stay where they are", "[unit]") {
   CHECK(r.best[0] == Approx(0.49).margin(1e-5));  // the bottom above x = 0.7
 }
 
-TEST_CASE("differences of residuals are their slopes", "[unit]") {
+TEST_CASE("Differences of residuals are their slopes", "[unit]") {
   const LeastSquares problem = in_box(valley, -2, 2);
   for (const Eigen::Vector2d& x : {Eigen::Vector2d(0.4, 0.2), Eigen::Vector2d(2.0, -2.0)}) {
     Eigen::Matrix2d exact;
@@ -153,7 +153,7 @@ TEST_CASE("differences of residuals are their slopes", "[unit]") {
   }
 }
 
-TEST_CASE("too few evaluations are no convergence", "[unit]") {
+TEST_CASE("A search with too few evaluations has not converged", "[unit]") {
   for (const char* name : {"bobyqa", "lm"}) {
     const SearchResult r = minimise(in_box(valley, -2, 2), Eigen::Vector2d(-1.0, 1.0), with(name, 8));
     CHECK_FALSE(r.converged);
@@ -161,7 +161,7 @@ TEST_CASE("too few evaluations are no convergence", "[unit]") {
   }
 }
 
-TEST_CASE("what the objective throws arrives with its message", "[unit]") {
+TEST_CASE("An exception of the objective arrives with its message", "[unit]") {
   const Residuals throwing = [](const Eigen::VectorXd& x) -> Eigen::VectorXd {
     if (x[0] != 0.0) throw std::runtime_error("the true cause");
     return valley(x);
@@ -171,7 +171,7 @@ TEST_CASE("what the objective throws arrives with its message", "[unit]") {
                       "the true cause");
 }
 
-TEST_CASE("an unknown algorithm is refused with the names there are", "[unit]") {
+TEST_CASE("An unknown algorithm is refused with the known names", "[unit]") {
   CHECK_THROWS_WITH(minimise(in_box(valley, -2, 2), Eigen::Vector2d(0.0, 0.0), with("newton")),
                     Contains("newton") && Contains("bobyqa") && Contains("lm"));
 }

@@ -72,7 +72,7 @@ struct Regression {
 
 }  // namespace
 
-TEST_CASE("certified regressions come out as certified, standard errors too", "[unit]") {
+TEST_CASE("Certified regressions give the certified values and standard errors", "[unit]") {
   std::ifstream file(TRUNK_SOURCE_DIR "/reference/nist/nonlinear_regression.json");
   const auto problems = nlohmann::json::parse(file)["problems"];
   REQUIRE(problems.size() == 7);

@@ -47,7 +47,7 @@ TEST_CASE("Runs side by side have the time of all of them", "[unit][slow]") {
   CHECK(together);
 }
 
-TEST_CASE("What is tried alone after its batch took too long is on file as it ends", "[unit]") {
+TEST_CASE("A run that is tried alone after its batch took too long is stored when it ends", "[unit]") {
   const test::TemporaryFolder folder;
   const SweepDesign design = runs_for_all_lanes(folder);
   const SweepFolder sweep(folder / "d", design, {}, false);

@@ -39,7 +39,7 @@ TEST_CASE("A grid is every scenario with every combination, the last axis fastes
   CHECK_THAT(d.settings_of(d.run(3).values)[0].where, Contains("sweep.toml:4"));
 }
 
-TEST_CASE("Runs of one model differ in nothing but what lanes can differ in", "[unit]") {
+TEST_CASE("Runs of one model differ only in what lanes can differ in", "[unit]") {
   const std::string rest =
       "\"parameters.k_muscle_N_per_m\" = [10, 20]\n\"time.dt_ms\" = [1, 2]\n"
       "[sample]\nmethod = \"sobol\"\npoints = 3\n";

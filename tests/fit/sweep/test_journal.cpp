@@ -34,7 +34,7 @@ std::vector<std::uint64_t> runs_on_file(const std::filesystem::path& journal) {
 
 }  // namespace
 
-TEST_CASE("A damaged byte of a journal costs one row, also of those appended later", "[unit]") {
+TEST_CASE("A damaged byte of a journal costs one row, and rows can still be appended", "[unit]") {
   const test::TemporaryFolder folder;
   append_rows(folder / "whole", {});
   const std::size_t heading = bytes_in(folder / "whole").size();

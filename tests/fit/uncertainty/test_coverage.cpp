@@ -78,7 +78,7 @@ Counts coverage(double rho, int repeats) {
 
 }  // namespace
 
-TEST_CASE("nominal 95 % intervals cover the truth in 90 to 98 % of 300 repeats", "[nightly][slow]") {
+TEST_CASE("Nominal 95 % intervals cover the truth in 90 to 98 % of 300 repeats", "[nightly][slow]") {
   for (const double rho : {0.0, 0.9}) {
     const Counts c = coverage(rho, 300);
     for (int i = 0; i < 2; ++i) {
@@ -92,7 +92,7 @@ TEST_CASE("nominal 95 % intervals cover the truth in 90 to 98 % of 300 repeats",
   }
 }
 
-TEST_CASE("profile, likelihood surface and bootstrap agree with the local interval where it is narrow",
+TEST_CASE("Profile, likelihood surface and bootstrap agree with the local interval where it is narrow",
           "[property][slow]") {
   Study study;
   std::mt19937_64 engine(5);

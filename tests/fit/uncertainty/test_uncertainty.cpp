@@ -31,14 +31,14 @@ Eigen::VectorXd ar1(int n, double rho, double sigma, std::mt19937_64& engine) {
 
 }  // namespace
 
-TEST_CASE("without autocorrelation and priors the covariance is the textbook one", "[unit]") {
+TEST_CASE("Without autocorrelation and priors the covariance is the textbook's", "[unit]") {
   const Eigen::MatrixXd j = line_design(40);
   const Eigen::MatrixXd expected = 0.25 * (j.transpose() * j).inverse();
   CHECK((least_squares_covariance(j, noise_covariance(40, 0.5, 0.0)) - expected).norm() <
         1e-12 * expected.norm());
 }
 
-TEST_CASE("a prior adds its information to that of the data", "[unit]") {
+TEST_CASE("A prior adds its information to that of the data", "[unit]") {
   const Eigen::MatrixXd j = line_design(40);
   Eigen::MatrixXd rows(41, 2);
   rows << j, Eigen::RowVector2d(0.0, 4.0);  // the slope is known to 1/4
@@ -49,7 +49,7 @@ TEST_CASE("a prior adds its information to that of the data", "[unit]") {
         1e-12 * expected.norm());
 }
 
-TEST_CASE("under AR(1) noise the corrected covariance is the spread of repeated fits", "[property]") {
+TEST_CASE("Under AR(1) noise the corrected covariance is the spread of repeated fits", "[property]") {
   const double rho = 0.9, sigma = 0.3;
   const int n = 100, repeats = 4000;
   const Eigen::MatrixXd j = line_design(n);
@@ -67,7 +67,7 @@ TEST_CASE("under AR(1) noise the corrected covariance is the spread of repeated 
   CHECK(naive(0, 0) < 0.3 * spread(0, 0));  // what forgetting it would claim
 }
 
-TEST_CASE("what a fit takes away does not hide the noise's memory and size", "[property][slow]") {
+TEST_CASE("Noise is estimated without bias, although the fit removes part of it", "[property][slow]") {
   const int n = 200, repeats = 200;
   Eigen::MatrixXd j(n, 7);  // as smooth as the directions of a breath
   for (int i = 0; i < n; ++i)
@@ -96,7 +96,7 @@ TEST_CASE("what a fit takes away does not hide the noise's memory and size", "[p
   }
 }
 
-TEST_CASE("autocorrelation at lag one", "[unit]") {
+TEST_CASE("The autocorrelation at lag one has its known values", "[unit]") {
   Eigen::VectorXd alternating(100), constant = Eigen::VectorXd::Ones(100);
   for (int i = 0; i < 100; ++i) alternating[i] = i % 2 == 0 ? 1.0 : -1.0;
   CHECK(autocorrelation(alternating, 1) == Approx(-0.99));
@@ -105,7 +105,7 @@ TEST_CASE("autocorrelation at lag one", "[unit]") {
   CHECK(autocorrelation(Eigen::VectorXd::Zero(100), 1) == 0.0);
 }
 
-TEST_CASE("the information criterion is that of the AR(1) likelihood", "[unit]") {
+TEST_CASE("The information criterion is that of the AR(1) likelihood", "[unit]") {
   std::mt19937_64 engine(3);
   const Eigen::VectorXd r = ar1(150, 0.6, 1.0, engine);
   const double rho = autocorrelation(r, 1);
@@ -120,7 +120,7 @@ TEST_CASE("the information criterion is that of the AR(1) likelihood", "[unit]")
   CHECK(ar1_bic(r, 4) - ar1_bic(r, 3) == Approx(std::log(150.0)));
 }
 
-TEST_CASE("robust losses leave small residuals alone and charge outliers less", "[unit]") {
+TEST_CASE("Robust losses keep small residuals and weigh outliers less", "[unit]") {
   const Eigen::Vector4d r(0.0, -0.1, 1.0, -50.0);
   CHECK(robust_residuals(r, Loss::squares, 1.0) == r);
   const Eigen::Vector4d huber = robust_residuals(r, Loss::huber, 1.0),
@@ -133,15 +133,15 @@ TEST_CASE("robust losses leave small residuals alone and charge outliers less", 
   CHECK(median_deviation(Eigen::Vector3d(-2.0, 1.0, 100.0)) == Approx(2.9652));
 }
 
-TEST_CASE("the verdict names what is determined and what is not", "[unit]") {
+TEST_CASE("The verdict names what is determined and what is not", "[unit]") {
   Uncertainty u;
   u.parameters = {{"k_elasticity", "N/m", 4000, 3000, 800, 20000, false, false, {}},
                   {"k_muscle", "N/m", 28, 21, 6, 140, false, false, {}}};
   u.ratio = {"k_muscle/k_elasticity", "1", 0.007, 1e-5, 0.00698, 0.00702, false, true, {}};
   const std::string text = verdict_of(u);
-  CHECK_THAT(text, Contains("Only the ratio is determined: k_muscle/k_elasticity = 0.007 within 0.29 %"));
-  CHECK_THAT(
-      text, Contains("Not determined by this trace: k_elasticity = 4e+03 N/m, anywhere from 8e+02 to 2e+04"));
+  CHECK_THAT(text,
+             Contains("This trace determines only the ratio: k_muscle/k_elasticity = 0.007 within 0.29 %"));
+  CHECK_THAT(text, Contains("It does not determine: k_elasticity = 4e+03 N/m, anywhere from 8e+02 to 2e+04"));
   CHECK_THAT(text, !Contains("k_muscle = "));
 
   u.parameters[0].identifiable = u.parameters[1].identifiable = u.identifiable = true;
@@ -149,17 +149,17 @@ TEST_CASE("the verdict names what is determined and what is not", "[unit]") {
   u.parameters[1].upper95 = 28.7;
   CHECK_THAT(
       verdict_of(u),
-      Contains("Determined by this trace, for the damping assumed: k_elasticity = 4000 N/m within 2.5 %"));
+      Contains("This trace determines, if the damping is as assumed: k_elasticity = 4000 N/m within 2.5 %"));
 
   Uncertainty two;
   two.parameters = {{"k_elasticity", "N/m", 4000, 3000, 800, 20000, false, false, {}},
                     {"damping", "N s/m", 20, 15, 4, 100, false, false, {}}};
   two.combinations = {{{-0.52, 1.0}, 0.03}, {{1.0, 0.52}, 2.0}};
   CHECK_THAT(verdict_of(two),
-             Contains("Only a combination is determined: k_elasticity^-0.52 damping to 3 %"));
+             Contains("This trace determines only a combination: k_elasticity^-0.52 damping to 3 %"));
 }
 
-TEST_CASE("the verdict says what comes from a bound, an open profile or a prior", "[unit]") {
+TEST_CASE("The verdict says what comes from a bound, an open profile or a prior", "[unit]") {
   Uncertainty u;
   u.parameters = {{"k_elasticity", "N/m", 4000, 300, 3500, 4600, false, true, {}},
                   {"k_muscle", "N/m", 28, 2, 24, 33, false, true, {}}};
@@ -172,28 +172,29 @@ TEST_CASE("the verdict says what comes from a bound, an open profile or a prior"
   open.parameters[0].open_profile = Interval{3600.0, std::numeric_limits<double>::infinity()};
   conclude(open);
   CHECK_FALSE(open.identifiable);
-  CHECK_THAT(open.verdict, Contains("k_elasticity, at least 3.6e+03 N/m and no upper end seen"));
+  CHECK_THAT(open.verdict, Contains("k_elasticity (at least 3.6e+03 N/m, no upper limit found)"));
   CHECK_THAT(open.verdict, !Contains("4600"));
 
   Uncertainty stopped = u;
   stopped.parameters[0].at_bound = true;
   stopped.parameters[0].identifiable = stopped.parameters[1].identifiable = false;
   conclude(stopped);
-  CHECK_THAT(stopped.verdict, Contains("Only the ratio is determined"));
+  CHECK_THAT(stopped.verdict, Contains("This trace determines only the ratio"));
   CHECK_THAT(stopped.verdict, Contains("k_elasticity (stopped at its bound, 4e+03 N/m)"));
   CHECK_THAT(stopped.verdict, !Contains("k_muscle = "));
 
   Uncertainty given = u;
   given.parameters[0].prior = 0.1;  // the interval is hardly narrower
   conclude(given);
-  CHECK_THAT(given.verdict, Contains("Determined by this trace with what was given beforehand"));
-  CHECK_THAT(given.verdict, Contains("Most of what is known of k_elasticity was given beforehand"));
+  CHECK_THAT(given.verdict, Contains("This trace with the given priors determines"));
+  CHECK_THAT(given.verdict,
+             Contains("Most of what is known about k_elasticity comes from --prior, not from the trace"));
   given.parameters[0].prior = 1.0;
   conclude(given);
   CHECK_THAT(given.verdict, !Contains("Most of"));
 }
 
-TEST_CASE("the one-compartment baseline finds its own constants again", "[unit]") {
+TEST_CASE("The one-compartment fit finds its own constants again", "[unit]") {
   const BreathActivation<double> activation;
   const double drive = 1.4e-3, rate = 3.2;
   MeasuredCurve measured;

@@ -104,7 +104,7 @@ TEST_CASE("Errors are relative, but differences where the experiment is 0", "[un
   }
 }
 
-TEST_CASE("A row takes the measures by name, and does not know what is missing", "[unit][validation]") {
+TEST_CASE("A row takes the measures by name, and a missing one is NaN", "[unit][validation]") {
   std::vector<NamedValue> measures;
   for (const Table1Column& column : table1_columns())
     measures.push_back(
@@ -185,7 +185,7 @@ TEST_CASE("Perfect agreement passes; limits that are reached pass unless they ar
   CHECK(failing(f) == std::set<std::string>{"healthy.dr_nearness"});
 }
 
-TEST_CASE("What is not known keeps no bound", "[unit][validation]") {
+TEST_CASE("An unknown number keeps no bound", "[unit][validation]") {
   ValidationRun f = good();
   for (const ValidatedScenario& scenario : validated_scenarios()) {
     ValidatedBreath& b = f.*scenario.breath;
@@ -198,7 +198,7 @@ TEST_CASE("What is not known keeps no bound", "[unit][validation]") {
   CHECK(failing(one) == std::set<std::string>{"all.volume_error"});
 }
 
-TEST_CASE("Failures are told in one line with value and bound, success in none", "[unit][validation]") {
+TEST_CASE("Failures give one line with values and bounds, and success gives none", "[unit][validation]") {
   ValidationRun f = good();
   CHECK(failures_text(judged(f)).empty());
   f.healthy.row.dh_mm = 5.0;
