@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "errors/input_error.hpp"
+#include "math/units.hpp"
 #include "text/message_text.hpp"
 
 namespace trunk {
@@ -26,12 +27,12 @@ struct Unit {
   double size;  // in SI
 };
 
-constexpr std::array time_units{Unit{"s", "seconds", 1}, Unit{"ms", "milliseconds", 1e-3},
-                                Unit{"min", "minutes", 60}};
-constexpr std::array volume_units{Unit{"ml", "millilitres", 1e-6}, Unit{"L", "litres", 1e-3}};
-constexpr std::array flow_units{Unit{"L_s", "litres per second", 1e-3},
-                                Unit{"L_min", "litres per minute", 1e-3 / 60},
-                                Unit{"ml_s", "millilitres per second", 1e-6}};
+constexpr std::array time_units{Unit{"s", "seconds", 1}, Unit{"ms", "milliseconds", s_per_ms},
+                                Unit{"min", "minutes", s_per_min}};
+constexpr std::array volume_units{Unit{"ml", "millilitres", m3_per_ml}, Unit{"L", "litres", m3_per_litre}};
+constexpr std::array flow_units{Unit{"L_s", "litres per second", m3_per_litre},
+                                Unit{"L_min", "litres per minute", m3_per_litre / s_per_min},
+                                Unit{"ml_s", "millilitres per second", m3_per_ml}};
 
 // Returns a remedy that names the unit with which `found` would be nearest to the usual value, or "" if no
 // unit brings it into the range.
@@ -64,7 +65,7 @@ void check_period(const Trace& trace, double median_period_s) {
 }
 
 void check_tidal_volume(const Trace& trace, double median_tidal_volume_m3) {
-  const double found_ml = median_tidal_volume_m3 * 1e6;
+  const double found_ml = median_tidal_volume_m3 * ml_per_m3;
   if (tidal_volume_ml.holds(found_ml)) return;
   const bool flow = trace.kind == SignalKind::flow;
   const auto hint = flow ? better_unit(flow_units, "flow", trace.value_unit, found_ml, tidal_volume_ml)

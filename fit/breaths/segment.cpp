@@ -9,6 +9,7 @@
 #include "breaths/whole_breaths.hpp"
 #include "errors/input_error.hpp"
 #include "math/median.hpp"
+#include "math/units.hpp"
 #include "text/message_text.hpp"
 
 namespace trunk {
@@ -19,7 +20,7 @@ std::string seconds(double time_s) {
 }
 
 std::string volume_text(double volume_m3, bool calibrated) {
-  return calibrated ? number_text(volume_m3 * 1e6, 3) + " ml" : number_text(volume_m3, 3) + " a.u.";
+  return calibrated ? number_text(volume_m3 * ml_per_m3, 3) + " ml" : number_text(volume_m3, 3) + " a.u.";
 }
 
 void check_any(const Trace& trace, const WholeBreaths& found) {

@@ -8,6 +8,7 @@
 #include "breaths/robust.hpp"
 #include "errors/input_error.hpp"
 #include "math/median.hpp"
+#include "math/units.hpp"
 #include "text/message_text.hpp"
 
 namespace trunk {
@@ -15,8 +16,8 @@ namespace {
 
 std::string value_text(const Trace& trace, double value) {
   if (trace.kind == SignalKind::belt) return number_text(value);
-  return trace.kind == SignalKind::flow ? number_text(value * 1e3) + " L/s"
-                                        : number_text(value * 1e6) + " ml";
+  return trace.kind == SignalKind::flow ? number_text(value * litres_per_m3) + " L/s"
+                                        : number_text(value * ml_per_m3) + " ml";
 }
 
 void check_varies(const Trace& trace) {

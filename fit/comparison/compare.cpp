@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/units.hpp"
+
 namespace trunk {
 namespace {
 
@@ -174,7 +176,7 @@ std::vector<NamedValue> estimates(const FitRecord& fit) {
 
 std::vector<Series> fitted_curves(const FitRecord& fit) {
   const auto ml = [](std::vector<double> volumes) {
-    for (double& v : volumes) v *= 1e6;
+    for (double& v : volumes) v *= ml_per_m3;
     return volumes;
   };
   return {{"measured", "ml", "", ml(fit.measured_m3)},

@@ -2,6 +2,7 @@
 
 #include "exports/csv_table.hpp"
 #include "exports/csv_tables.hpp"
+#include "math/units.hpp"
 
 namespace trunk {
 namespace {
@@ -33,7 +34,7 @@ std::string estimates(const FitRecord& fit) {
 }
 
 Doubles in_ml(Doubles volumes_m3) {
-  for (double& v : volumes_m3) v *= 1e6;
+  for (double& v : volumes_m3) v *= ml_per_m3;
   return volumes_m3;
 }
 

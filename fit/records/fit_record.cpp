@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/units.hpp"
 #include "records/run_record.hpp"
 
 namespace trunk {
@@ -11,8 +12,8 @@ namespace {
 std::vector<NamedValue> statistics_of(const Estimation& e) {
   std::vector<NamedValue> s = {
       {"nrmse_percent", "percent", 100.0 * e.quality.nrmse},
-      {"tidal_volume_measured_ml", "ml", 1e6 * e.quality.tidal_volume_m3},
-      {"tidal_volume_error_ml", "ml", 1e6 * e.quality.tidal_volume_error_m3},
+      {"tidal_volume_measured_ml", "ml", ml_per_m3 * e.quality.tidal_volume_m3},
+      {"tidal_volume_error_ml", "ml", ml_per_m3 * e.quality.tidal_volume_error_m3},
       {"peak_time_error_s", "s", e.quality.peak_time_error_s},
       {"baseline_nrmse_percent", "percent", 100.0 * e.quality.baseline_nrmse},
       {"bic", "1", e.quality.bic},
@@ -25,7 +26,7 @@ std::vector<NamedValue> statistics_of(const Estimation& e) {
     s.push_back({"methods_differ_percent", "percent", 100.0 * e.cross_check->largest_difference});
   if (e.uncertainty) {
     s.push_back({"noise_autocorrelation", "1", e.uncertainty->noise_autocorrelation});
-    s.push_back({"noise_sigma_ml", "ml", 1e6 * e.uncertainty->sigma_m3});
+    s.push_back({"noise_sigma_ml", "ml", ml_per_m3 * e.uncertainty->sigma_m3});
     s.push_back({"degrees_of_freedom", "1", e.uncertainty->freedom});
     s.push_back({"residual_autocorrelation", "1", e.uncertainty->residual_autocorrelation});
     s.push_back({"condition_number", "1", e.uncertainty->condition_number});

@@ -12,8 +12,6 @@
 namespace trunk {
 namespace {
 
-constexpr double m3_per_ml = 1e-6, m_per_mm = 1e-3;
-
 using Steps = std::vector<std::size_t>;
 
 std::vector<double> at_steps(const Steps& steps, const std::vector<double>& values, double unit) {
@@ -86,7 +84,7 @@ std::string scenario_text(const ScenarioFile& file) {
     text += fmt::format(
         "\n# time.dt_ms = \"auto\" chose {:g} ms: stable below {:.3g} ms, lung volume within {:.2g} % of "
         "short steps\n",
-        1e3 * c->grid.dt_s, 1e3 * c->stable_s, 100.0 * c->estimated_error);
+        ms_per_s * c->grid.dt_s, ms_per_s * c->stable_s, 100.0 * c->estimated_error);
   text += "\n# as given in " + file.path + ":\n# ";
   for (char c : file.text) {
     text += c;

@@ -1,3 +1,4 @@
+#include "math/units.hpp"
 #include "report/contents.hpp"
 
 namespace trunk {
@@ -6,7 +7,7 @@ namespace {
 using Json = Packed::Json;
 
 std::vector<double> in_ml(std::vector<double> volumes_m3) {
-  for (double& v : volumes_m3) v *= 1e6;
+  for (double& v : volumes_m3) v *= ml_per_m3;
   return volumes_m3;
 }
 

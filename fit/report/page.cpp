@@ -5,7 +5,7 @@
 #include "errors/input_error.hpp"
 #include "report/contents.hpp"
 #include "report/surface_contents.hpp"
-#include "results/read/summary.hpp"
+#include "results/read/results_kind.hpp"
 
 // scripts/build_report_page makes this page. It is part of the program, so that no other file is needed.
 asm(R"(

@@ -2,12 +2,12 @@
 
 #include <cmath>
 
+#include "math/units.hpp"
 #include "surface/thinned.hpp"
 
 namespace trunk {
 namespace {
 
-constexpr double mm_per_m = 1e3;
 constexpr std::size_t most_shown = 12000;
 
 Packed::Json distance_row(const char* name, const Distances& d) {

@@ -8,6 +8,7 @@
 
 #include "anatomy/breath_run.hpp"
 #include "errors/input_error.hpp"
+#include "math/units.hpp"
 #include "records/run_record.hpp"
 #include "scenarios/build_trunk.hpp"
 
@@ -42,7 +43,8 @@ SweepRow row_of(std::size_t run, const BreathSummary& breath, double dt_s, bool 
                false, numbers_of(measures_of(breath)),   {}};
   if (!breath.ending.completed()) row.error = breath.ending.message;
   if (with_curve)
-    row.curve = thinned(breath.delta_v, 1e6, [&](std::size_t i) { return static_cast<double>(i) * dt_s; });
+    row.curve =
+        thinned(breath.delta_v, ml_per_m3, [&](std::size_t i) { return static_cast<double>(i) * dt_s; });
   return row;
 }
 
@@ -125,7 +127,7 @@ class Running {
 
   void simulate_in_full(const PreparedRun& p) {
     const Scenario& scenario = p.file.scenario;
-    const auto stride = std::lround(1e-3 * batch_.design.frame_every_ms / scenario.time.dt_s);
+    const auto stride = std::lround(s_per_ms * batch_.design.frame_every_ms / scenario.time.dt_s);
     try {
       const BreathRun run =
           run_breath(batch_.trunk, scenario, std::max(1, static_cast<int>(stride)), watchdog(1));
