@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Plots lung volume over time: measured and fitted with the residual, and simulated runs beside each other.
+"""Plots lung volume over time: measured and fitted with the residual, and simulated runs together.
 
     scripts/plot_breaths.py --fit fit.h5 healthy.h5 paralysed.h5 -o breaths.png
 """
@@ -13,7 +13,7 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402  (the backend comes first)
 
-# Okabe and Ito's palette, told apart by colour-blind readers; line styles differ as well.
+# Colour-blind readers can distinguish Okabe and Ito's palette; line styles differ as well.
 BLUE, ORANGE, GREEN, GREY = "#0072B2", "#D55E00", "#009E73", "#666666"
 STYLES = [(BLUE, "-"), (ORANGE, "--"), (GREEN, "-."), (GREY, ":")]
 

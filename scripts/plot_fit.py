@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Plots how well a fit is determined: likelihood surface with its ridge and the joint 95 % region, profiles, search.
+"""Plots how exactly a fit is determined: the likelihood surface with its ridge and joint 95 % region, profiles, search.
 
     scripts/plot_fit.py fit.h5 -o fit.png
 """
@@ -14,7 +14,7 @@ import numpy as np
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402  (the backend comes first)
 
-# Okabe and Ito's palette, told apart by colour-blind readers; line styles differ as well.
+# Colour-blind readers can distinguish Okabe and Ito's palette; line styles differ as well.
 BLUE, ORANGE, GREEN, GREY = "#0072B2", "#D55E00", "#009E73", "#666666"
 CHI2_95 = 3.84
 
@@ -32,8 +32,9 @@ def y_of(y):
 
 
 def between_the_grid(x, y, deviance):
-    """The grid is coarser than the ridge is narrow: in each column the parabola through its three lowest points, whose
-    height, place and width run smoothly from column to column. Also the place of the ridge."""
+    """Returns fine x, the deviance on a fine grid, and the place of the ridge. The ridge is narrower than a cell of the
+    grid, so each column is replaced by the parabola through its three lowest points. The height, place and width of the
+    parabolas are smooth functions of x."""
     columns = []
     for i, column in enumerate(deviance.T):
         low = int(np.argmin(np.where(np.isnan(column), np.inf, column)))
@@ -66,19 +67,22 @@ def plot_surface(fit, axes):
         axes.plot(fine_x, ridge, color="white", ls="--", lw=1)
     axes.set(xlim=x[[0, -1]], ylim=y[[0, -1]])
     k = {text(name): value for name, value in zip(fit["parameters/name"][()], fit["parameters/best"][()])}
-    best = [k["k_muscle"] / k["k_elasticity"] if "/" in text(axis.attrs["long_name"]) else k[text(axis.attrs["long_name"])]
-            for axis in (first, second)]
+    names = [text(axis.attrs["long_name"]) for axis in (first, second)]
+    units = [text(axis.attrs["units"]) for axis in (first, second)]
+    best = [k["k_muscle"] / k["k_elasticity"] if "/" in name else k[name] for name in names]
     axes.plot(*best, "*", color="white", markeredgecolor="black", markersize=11)
-    axes.set(title="Likelihood: best (star), ridge, joint 95 % region", xlabel=label(*(text(first.attrs[a]) for a in ("long_name", "units"))),
-             ylabel=label(*(text(second.attrs[a]) for a in ("long_name", "units"))))
+    axes.set(title="Likelihood: best (star), ridge, joint 95 % region", xlabel=label(names[0], units[0]),
+             ylabel=label(names[1], units[1]))
 
 
 def plot_profiles(fit, axes):
     axes.axhline(CHI2_95, color=GREY, lw=0.8, ls=":")
-    for (name, profile), (color, style) in zip(fit.get("profiles", {}).items(), ((BLUE, "-o"), (ORANGE, "--s"), (GREEN, "-.^")) * 6):
+    styles = ((BLUE, "-o"), (ORANGE, "--s"), (GREEN, "-.^")) * 6
+    for (name, profile), (color, style) in zip(fit.get("profiles", {}).items(), styles):
         value, deviance = profile["value"][()], profile["deviance"][()]
         axes.plot(100 * (value / value[deviance.argmin()] - 1), deviance, style, color=color, label=name, markersize=4)
-    axes.set(title="Profiles; dotted: 95 %", xlabel="away from the best (%)", ylabel="-2 log likelihood above its best")
+    axes.set(title="Profiles; dotted: 95 %", xlabel="difference from the best (%)",
+             ylabel="-2 log likelihood above its best")
     if "profiles" in fit:
         axes.legend(frameon=False, fontsize="small")
 

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""Pictures of a page that `trunk report` made, as README shows one; needs Debian's chromium, chromium-driver,
-python3-selenium and python3-pil.
+"""Takes a picture of a page that `trunk report` made. It needs Debian's chromium, chromium-driver, python3-selenium and
+python3-pil.
 
     build/trunk simulate scenarios/healthy.toml -o healthy.h5
     build/trunk simulate scenarios/hemiparalysis_right.toml -o paralysed.h5
@@ -24,9 +24,9 @@ def main():
     parser.add_argument("--width", type=int, default=1060, help="CSS pixels")
     parser.add_argument("--height", type=int, default=900)
     parser.add_argument("--dark", action="store_true")
-    parser.add_argument("--whole", action="store_true", help="the whole page, not its beginning alone")
+    parser.add_argument("--whole", action="store_true", help="the whole page and not only its beginning")
     parser.add_argument("--colour-by", choices=("anatomy", "distance", "rise", "side"),
-                        help="as the page opens, where it is not given")
+                        help="[as the page opens]")
     arguments = parser.parse_args()
     if browser.MISSING:
         parser.error(f"no browser: {browser.MISSING}")

@@ -1,22 +1,24 @@
 #!/usr/bin/python3
-"""How far do the results depend on the mesh?
+"""How much do the results depend on the mesh?
 
-Refines the template from 113 to 4077 particles with the program's own scaling of the parameters (shape memory n^2 times
-as stiff a particle, muscle shared by n times as many fibres, mass and damping by n^2 times as many particles) and asks:
-what becomes of the tidal volume and of the shape at unchanged parameters; under which exponent of the elasticity there
-is a limit; what is left of it once k_muscle is fitted to the same tidal volume, healthy and right-paralysed; whether a
-membrane helps; how much is the cross-section's; and how much goes with the rings that are held, if those are given
-twice the elasticity. Writes mesh.csv (all runs) and mesh.png, prints the Markdown tables
-of README.md. A few minutes.
+This study refines the template from 113 to 4077 particles. The program scales the parameters: shape memory is n^2 times
+as stiff for each particle, the muscle is shared by n times as many fibres, and mass and damping by n^2 times as many
+particles. The study answers these questions:
+
+  * How do the tidal volume and the shape change at unchanged parameters?
+  * With which exponent of the elasticity is there a limit?
+  * How much changes if k_muscle is fitted to the same tidal volume, healthy and right-paralysed?
+  * Does a membrane help?
+  * How much comes from the area of the cross-section?
+  * How much comes from the held rings, if these have twice the elasticity?
+
+It writes mesh.csv (all runs) and mesh.png, and prints the Markdown tables of reference/README.md, in a few minutes.
 
     scripts/study_mesh.py -o reference
 """
 
-import argparse
-import concurrent.futures
 import math
 import pathlib
-import tempfile
 
 import matplotlib
 
@@ -24,10 +26,10 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402  (the backend comes first)
 import matplotlib.ticker  # noqa: E402
 
-from studies import ROOT, Program, add_program_options, options, parsed, write_csv  # noqa: E402
+from studies import ROOT, options, parsed, study_parser, workbench, write_study  # noqa: E402
 
 RESOLUTIONS, FINEST = (1, 2, 3, 4), 6
-STEP_MS = {1: 1.0, 2: 1.0, 3: 0.5, 4: 0.3, 6: 0.15}  # the program names the bound; half of it changes little, see CSV
+STEP_MS = {1: 1.0, 2: 1.0, 3: 0.5, 4: 0.3, 6: 0.15}  # below the bound of stability; half of it changes little
 K_ELASTICITY, K_MUSCLE = "parameters.k_elasticity_N_per_m", "parameters.k_muscle_N_per_m"
 MEMBRANE = "tissue.membrane_stiffness_N_per_m"
 DEFAULT = {K_ELASTICITY: 4000.0, K_MUSCLE: 27.2226, MEMBRANE: 0.0}  # those of scenarios/healthy.toml
@@ -53,13 +55,13 @@ COLUMNS = ["question", "change", "resolution", "particles", "scenario", "dt_ms",
 
 
 class Refinement:
-    """Runs of the trunk at any resolution, each a row of the table."""
+    """Runs the trunk at any resolution; each run is a row of the table."""
 
     def __init__(self, program, coarser_step):
         self.program, self.coarser_step = program, coarser_step
 
     def run(self, question, change, n, settings=None, scenario=HEALTHY, step=1.0):
-        """`scenario` is a file of scenarios/ or a path."""
+        """Returns the row of one run. `scenario` is a file of scenarios/ or a path."""
         settings = {"geometry.resolution": n, "time.dt_ms": self.coarser_step * step * STEP_MS[n]} | (settings or {})
         run, status = self.program("simulate", ROOT / "scenarios" / scenario, *options(settings))
         known = DEFAULT | settings
@@ -69,7 +71,7 @@ class Refinement:
                 **{name: run[key] if run else None for key, name in MEASURES.items()}}
 
     def solve(self, question, change, n, target, key=K_MUSCLE, start=None, settings=None, scenario=HEALTHY):
-        """The row with the value of `key` at which ΔV is `target`: a secant in logarithms, muscle or elasticity."""
+        """Returns the row of the run whose ΔV is `target`. It finds the value of `key` by a secant in logarithms."""
         at, slope, before = math.log(start or DEFAULT[key]), 1.0 if key == K_MUSCLE else -1.0, None
         for _ in range(10):
             row = self.run(question, change, n, (settings or {}) | {key: math.exp(at)}, scenario)
@@ -85,22 +87,22 @@ class Refinement:
 
 
 def muscle_at(n):
-    """About the k_muscle for 466 ml: where the search begins."""
+    """Returns about the k_muscle for 466 ml, where a search starts."""
     return DEFAULT[K_MUSCLE] * 2.04 / (1 + 1.04 / n)
 
 
 def paralysed(mesh, question, healthy, scenario):
-    """The paralysed twin of a fitted row."""
+    """Returns the row of the paralysed twin of a fitted row."""
     return mesh.run(question, "paralysed", healthy["resolution"], {K_MUSCLE: healthy["k_muscle_N_per_m"]}, scenario)
 
 
 def polygon_area(corners):
-    """Of a regular polygon, over its circle."""
+    """Returns the area of a regular polygon over that of its circle."""
     return corners / (2 * math.pi) * math.sin(2 * math.pi / corners)
 
 
 def matched(mesh, n):
-    """Fitted to the tidal volume at this resolution: healthy, paralysed, and the elasticity instead of the muscle."""
+    """Returns rows with the same tidal volume: k_muscle fitted, its paralysed twin, and k_elasticity fitted instead."""
     healthy = mesh.solve("466 ml by k_muscle", "", n, TIDAL_ML, start=muscle_at(n))
     twin = paralysed(mesh, "466 ml by k_muscle", healthy, PARALYSED)
     k = DEFAULT[K_ELASTICITY] * DEFAULT[K_MUSCLE] / healthy["k_muscle_N_per_m"]
@@ -114,7 +116,7 @@ def exercise(mesh, n):
 
 
 def unchanged(mesh, change, settings, resolutions, question):
-    """k_muscle fitted on the coarsest mesh, then kept."""
+    """Returns rows with the k_muscle that is fitted on the coarsest mesh."""
     first = mesh.solve(question, change, 1, TIDAL_ML, settings=settings)
     k = {K_MUSCLE: first["k_muscle_N_per_m"]}
     return [first] + [mesh.run(question, change, n, settings | k) for n in resolutions if n > 1]
@@ -126,13 +128,13 @@ def membrane_matched(mesh, stiffness, n):
 
 
 def same_area(mesh, n):
-    """The half-axes at which a cross-section has the area of the coarsest mesh's."""
+    """Returns a row with half-axes that give the cross-section the area of the coarsest mesh's."""
     factor = math.sqrt(polygon_area(12) / polygon_area(12 * n))
     return [mesh.run("area of the 12-gon", "", n, {key: factor * value for key, value in HALF_AXES.items()})]
 
 
 def held_stiffer(mesh, n):
-    """Held particles with twice the elasticity: same parameters, then fitted, healthy and paralysed."""
+    """Returns rows with twice the elasticity of held particles: same parameters, then fitted and its paralysed twin."""
     rows = [mesh.run("held twice, same parameters", "", n, TWICE)]
     if n != 3:
         fitted = "held twice, 466 ml"
@@ -143,7 +145,7 @@ def held_stiffer(mesh, n):
 
 
 def tasks(mesh, quick):
-    """The study in parts that do not wait for each other, slow ones first."""
+    """Returns the independent parts of the study, slow ones first."""
     def one(*arguments, **named):
         return lambda: [mesh.run(*arguments, **named)]
 
@@ -169,7 +171,7 @@ def tasks(mesh, quick):
 
 
 class Findings:
-    """The rows by question, change and resolution."""
+    """Gives the rows by question, change and resolution."""
 
     def __init__(self, rows):
         self.rows = {(r["question"], r["change"], r["resolution"]): r for r in rows if r["status"] == "completed"}
@@ -188,7 +190,7 @@ class Findings:
 
 
 def order_and_limit(series):
-    """Of v = limit + c / n^order through n = 1, 2, 4; None where that is no smooth approach."""
+    """Returns order and limit of v = limit + c / n^order through n = 1, 2, 4; None if v does not approach smoothly."""
     if any(series.get(n) is None for n in (1, 2, 4)):
         return None
     first, second = series[2] - series[1], series[4] - series[2]
@@ -199,7 +201,7 @@ def order_and_limit(series):
 
 
 def order_and_limit_of_inverse(series):
-    """For what is needed to reach a volume: its inverse goes with the compliance, which is what approaches a limit."""
+    """Returns the same for 1 / v. A parameter that reaches a volume is inverse to the compliance, which has a limit."""
     found = order_and_limit({n: 1 / v for n, v in series.items() if v})
     return (found[0], 1 / found[1]) if found else None
 
@@ -214,7 +216,7 @@ def limit_cells(series, digits, extrapolate):
 
 
 def fitted_lines(f, question):
-    """label, series, digits, extrapolation: all with k_muscle fitted to 466 ml on each mesh."""
+    """Returns label, series, digits and extrapolation of lines whose k_muscle is fitted to 466 ml on each mesh."""
     def of(name, change=""):
         return f.series(question, change, name)
 
@@ -296,13 +298,13 @@ def markdown(rows):
     found, finest = order_and_limit(same), same[FINEST]
     if found and finest:
         order, limit = found
-        foretold = limit + (same[1] - limit) / FINEST**order
-        text.append([f"113, 455 and 1835 particles foretell {foretold:.1f} ml at 4077; simulated: {finest:.1f} ml."])
+        predicted = limit + (same[1] - limit) / FINEST**order
+        text.append([f"113, 455 and 1835 particles predict {predicted:.1f} ml at 4077; simulated: {finest:.1f} ml."])
     return "\n\n".join("\n".join(lines) for lines in text)
 
 
 def plot(rows, path):
-    # Okabe and Ito's palette, told apart by colour-blind readers; series differ by marker too.
+    # Colour-blind readers can distinguish Okabe and Ito's palette; series differ by marker too.
     f = Findings(rows)
     figure, axes = plt.subplots(1, 3, figsize=(11, 4.1))
     figure.subplots_adjust(left=0.06, right=0.99, top=0.92, bottom=0.14, wspace=0.26)
@@ -352,23 +354,16 @@ def plot(rows, path):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("-o", "--output", type=pathlib.Path, required=True, metavar="DIR",
-                        help="folder for the results")
-    add_program_options(parser)
+    parser = study_parser(__doc__)
     parser.add_argument("--quick", action="store_true",
-                        help="113 and 455 particles, one membrane, steps half as long again; no picture")
+                        help="113 and 455 particles, one membrane, 1.5 times longer steps; no picture")
     arguments = parsed(parser)
-    arguments.output.mkdir(parents=True, exist_ok=True)
-    with tempfile.TemporaryDirectory() as folder, concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool:
-        mesh = Refinement(Program(arguments.trunk, folder), 1.5 if arguments.quick else 1.0)
+    with workbench(arguments) as (program, pool):
+        mesh = Refinement(program, 1.5 if arguments.quick else 1.0)
         groups = pool.map(lambda task: task(), tasks(mesh, arguments.quick))
         rows = sorted((row for group in groups for row in group),
                       key=lambda row: (row["question"], row["resolution"], row["membrane_N_per_m"], row["change"]))
-    write_csv(arguments.output / "mesh.csv", COLUMNS, rows)
-    if not arguments.quick:
-        plot(rows, arguments.output / "mesh.png")
-    print(markdown(rows))
+    write_study(arguments, "mesh", COLUMNS, rows, plot, markdown)
 
 
 if __name__ == "__main__":

@@ -1,35 +1,34 @@
 #!/usr/bin/python3
-"""Which ingredients does the rise of a paralysed hemidiaphragm need?
+"""Which parts of the model make a paralysed hemidiaphragm rise?
 
-Simulates healthy and right-paralysed trunks with and without ribs, over the stiffness of the abdominal wall and of
-the paralysed half, in quiet and exercise breathing; then, at the defaults, changes one ingredient at a time. For every
-trunk k_muscle is first fitted on the healthy twin to the same tidal volume, and every run is repeated with half the
-time step. Writes paradox.csv (all runs) and paradox.png (runs that hold their own at half the step; marker size and
-orange numbers are the elasticity left in the paralysed half), prints the Markdown table of README.md. A few minutes.
+This study simulates healthy and right-paralysed trunks with and without ribs, in quiet and exercise breathing. It varies
+the stiffness of the abdominal wall and of the paralysed half. Then it changes one part of the default model at a time.
+For every trunk, k_muscle is first fitted on the healthy twin to the same tidal volume. Every run is repeated with half
+the time step.
+
+It writes paradox.csv (all runs) and paradox.png, and prints the Markdown table of reference/README.md. It takes a few minutes.
+The picture shows the runs that half the time step does not change; marker sizes and orange numbers are the elasticity
+left in the paralysed half.
 
     scripts/study_paradox.py -o reference
 """
 
-import argparse
-import concurrent.futures
 import dataclasses
 import itertools
 import json
-import pathlib
-import tempfile
 
 import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402  (the backend comes first)
 
-from studies import ROOT, Program, add_program_options, parsed, write_csv  # noqa: E402
+from studies import ROOT, parsed, study_parser, workbench, write_study  # noqa: E402
 
 BREATHS = {"quiet": ("healthy.toml", 466), "exercise": ("exercise_healthy.toml", 1200)}  # scenario, healthy ml
 ABDOMEN, SOFTENING = (0.4, 0.8, 1.6, 3.2), (1.0, 0.7, 0.5, 0.3, 0.1)
 DEFAULT_ABDOMEN, DEFAULT_SOFTENING = 0.8, 0.5  # those of scenarios/healthy.toml and hemiparalysis_right.toml
 LONGEST_STEP_MS, HALVINGS = 1.0, 2
-SAME_MM, SAME_PRESSURE = 0.1, 0.05  # a run counts when half the time step changes it by no more than this
+SAME_MM, SAME_PRESSURE = 0.1, 0.05  # a run counts if half the time step changes it by at most this
 PRESSURE = "abdominal_pressure_peak_cmH2O"
 MEASURES = {"delta_v_ml": "delta_v_ml", "excursion_right_mm": "right_dome_descends_mm",
             "excursion_left_mm": "left_dome_descends_mm", PRESSURE: PRESSURE, "flipped_triangles": "flipped_triangles"}
@@ -42,7 +41,7 @@ HELD = "".join(f'[[displacement]]\nregion = "costal_insertion"\ndirection = {d}\
 
 @dataclasses.dataclass(frozen=True)
 class Trunk:
-    """A healthy trunk. costal_ring: "ribs" (held, and the zone of apposition kept inside), "held" alone, or "free"."""
+    """A healthy trunk. costal_ring is "free", "held", or "ribs": held, and the zone of apposition stays inside."""
     breath: str
     costal_ring: str = "ribs"
     abdomen: float = DEFAULT_ABDOMEN
@@ -68,28 +67,27 @@ def trunks(quick):
     return grid + alone
 
 
-class Paradox(Program):
-    """The runs of a trunk."""
+class Paradox:
+    """Runs trunks with and without paralysis."""
 
-    def __init__(self, path, folder, longest_step_ms):
-        super().__init__(path, folder)
-        self.longest_step_ms = longest_step_ms
+    def __init__(self, program, longest_step_ms):
+        self.program, self.longest_step_ms = program, longest_step_ms
 
     def checked(self, scenario, step_ms, *settings):
-        """A run, and in its status whether half the time step gives the same."""
-        run, status = self("simulate", scenario, *settings, "--set", f"time.dt_ms={step_ms}")
+        """Returns a run and its status, which says if half the time step changes the run."""
+        run, status = self.program("simulate", scenario, *settings, "--set", f"time.dt_ms={step_ms}")
         if not run:
             return run, status
-        half, _ = self("simulate", scenario, *settings, "--set", f"time.dt_ms={step_ms / 2}")
+        half, _ = self.program("simulate", scenario, *settings, "--set", f"time.dt_ms={step_ms / 2}")
         same = half and all(abs(half[f"excursion_{side}_mm"] - run[f"excursion_{side}_mm"]) <= SAME_MM
                             for side in ("right", "left"))
         same = same and abs(half[PRESSURE] / run[PRESSURE] - 1) <= SAME_PRESSURE
         return run, "completed" if same else "depends on the time step"
 
     def runs(self, trunk, softenings):
-        """Rows of one trunk: k_muscle fitted on the healthy one, then its paralysed twins. Halves the time step as
-        long as one of them fails."""
-        scenario = self.folder / f"{next(self.count)}.toml"
+        """Returns the rows of one trunk: k_muscle fitted on the healthy one, then its paralysed twins. Halves the time
+        step while one of them fails."""
+        scenario = self.program.folder / f"{next(self.program.count)}.toml"
         scenario.write_text(trunk.scenario(), encoding="utf-8")
         for halving in range(HALVINGS + 1):
             step_ms = self.longest_step_ms / 2**halving
@@ -102,7 +100,8 @@ class Paradox(Program):
         common = {"breath": trunk.breath, "costal_ring": trunk.costal_ring, "abdomen_stiffness_factor": trunk.abdomen,
                   "fibres": trunk.fibres, "reaction": trunk.reaction, "dt_ms": step_ms}
         step = ("--set", f"time.dt_ms={step_ms}")
-        fit, status = self("fit", scenario, "--tidal-volume-ml", BREATHS[trunk.breath][1], "--free", "k_muscle", *step)
+        volume_ml = BREATHS[trunk.breath][1]
+        fit, status = self.program("fit", scenario, "--tidal-volume-ml", volume_ml, "--free", "k_muscle", *step)
         k_muscle = fit["parameters"]["k_muscle"]["value"] if fit else None
         healthy, rows = None, []
         for softening in (None, *softenings):
@@ -154,7 +153,7 @@ def markdown(rows):
 
 
 def plot(rows, path):
-    # Okabe and Ito's palette, told apart by colour-blind readers; ribs are told apart by marker and line.
+    # Colour-blind readers can distinguish Okabe and Ito's palette; marker and line show the ribs.
     colours = dict(zip(ABDOMEN, ("#E69F00", "#D55E00", "#0072B2", "#000000")))
     styles = {"ribs": ("o", "-", "ribs"), "free": ("^", ":", "no ribs")}
     figure, axes = plt.subplots(1, 2, figsize=(10, 5.2))
@@ -193,24 +192,16 @@ def plot(rows, path):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("-o", "--output", type=pathlib.Path, required=True, metavar="DIR",
-                        help="folder for the results")
-    add_program_options(parser)
+    parser = study_parser(__doc__)
     parser.add_argument("--quick", action="store_true",
                         help="quiet breathing at the defaults, with and without ribs, in steps of 3 ms; no picture")
     arguments = parsed(parser)
-    arguments.output.mkdir(parents=True, exist_ok=True)
     softenings = (DEFAULT_SOFTENING,) if arguments.quick else SOFTENING
-    with tempfile.TemporaryDirectory() as folder:
-        program = Paradox(arguments.trunk, folder, 3.0 if arguments.quick else LONGEST_STEP_MS)
-        with concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool:
-            rows = [row for group in pool.map(lambda trunk: program.runs(trunk, softenings), trunks(arguments.quick))
-                    for row in group]
-    write_csv(arguments.output / "paradox.csv", COLUMNS, rows)
-    if not arguments.quick:
-        plot(rows, arguments.output / "paradox.png")
-    print(markdown(rows))
+    with workbench(arguments) as (program, pool):
+        paradox = Paradox(program, 3.0 if arguments.quick else LONGEST_STEP_MS)
+        groups = pool.map(lambda trunk: paradox.runs(trunk, softenings), trunks(arguments.quick))
+        rows = [row for group in groups for row in group]
+    write_study(arguments, "paradox", COLUMNS, rows, plot, markdown)
 
 
 if __name__ == "__main__":

@@ -1,22 +1,19 @@
 #!/usr/bin/python3
-"""How near does the published model, on our mesh, come to its own row of Table 1, and which of the things that the
-paper does not tell matters?
+"""How near does the published model on our mesh come to its own row of Table 1? Which of the values that the paper does
+not give matter?
 
-Takes a scenario, changes one key at a time over its range, fits k_muscle to the tidal volume of the row each time, and
-prints as Markdown over what range the shape changes go; runs that failed or turned triangles over are left out and
-counted. All runs go to a CSV file. A few minutes.
+This study takes a scenario, changes one key at a time over its range, and fits k_muscle to the tidal volume of the row
+each time. It prints the ranges of the shape changes as Markdown, and writes all runs to a CSV file, in a few minutes.
+Runs that failed or that turned triangles over are left out of the ranges and counted.
 
     scripts/study_published.py -o published.csv
     scripts/study_published.py --set tissue.fibres=tendon_border -o published.csv
 """
 
-import argparse
-import concurrent.futures
 import csv
 import pathlib
-import tempfile
 
-from studies import ROOT, Program, add_program_options, options, parsed, write_csv
+from studies import ROOT, options, parsed, study_parser, workbench, write_csv
 
 DOMES = ("geometry.dome_height_right_mm", "geometry.dome_height_left_mm")
 RANGES = [  # keys that change together, values
@@ -39,7 +36,7 @@ MEASURES = {"delta_v_ml": "ΔV ml", "delta_l_mm": "ΔL mm", "delta_l_percent": "
 
 
 def run(program, scenario, settings, tidal_ml):
-    """Measures of the scenario with k_muscle fitted, and a status; never an exception for a run that fails."""
+    """Returns the measures of the scenario with k_muscle fitted, and a status."""
     fit, _ = program("fit", scenario, "--tidal-volume-ml", tidal_ml, "--free", "k_muscle", *options(settings))
     k_muscle = {"parameters.k_muscle_N_per_m": repr(fit["parameters"]["k_muscle"]["value"])} if fit else {}
     simulated, _ = program("simulate", scenario, *options(settings | k_muscle)) if fit else (None, None)
@@ -48,10 +45,10 @@ def run(program, scenario, settings, tidal_ml):
             **{name: simulated[name] if simulated else None for name in MEASURES}}
 
 
-def markdown(base, groups, target):
+def markdown(base, groups, published):
     shape = ("delta_l_mm", "delta_h_mm", "delta_r_mm")
     lines = ["| | range | ΔL mm | ΔH mm | ΔR mm | left out |", "|---|---|---|---|---|---|",
-             "| published row | | " + " | ".join(target[name] for name in ("dl_mm", "dh_mm", "dr_mm")) + " | |",
+             "| published row | | " + " | ".join(published[name] for name in ("dl_mm", "dh_mm", "dr_mm")) + " | |",
              "| scenario as it is | | "
              + " | ".join("" if base[name] is None else f"{base[name]:.1f}" for name in shape) + " | |"]
     for (keys, values), rows in groups:
@@ -64,14 +61,12 @@ def markdown(base, groups, target):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = study_parser(__doc__, "CSV", "file for all runs")
     parser.add_argument("scenario", nargs="?", type=pathlib.Path, default=ROOT / "scenarios/published_healthy.toml",
                         help="[scenarios/published_healthy.toml]")
-    parser.add_argument("-o", "--output", type=pathlib.Path, required=True, metavar="CSV", help="all runs")
     parser.add_argument("--set", action="append", default=[], metavar="KEY=VALUE",
-                        help="over the scenario, in every run")
+                        help="change the scenario in every run")
     parser.add_argument("--only", action="append", metavar="KEY", help="change this key alone; may be repeated")
-    add_program_options(parser)
     arguments = parsed(parser)
     ranges = [group for group in RANGES if not arguments.only or set(group[0]) & set(arguments.only)]
     if not ranges:
@@ -79,19 +74,17 @@ def main():
     always = dict(word.split("=", 1) for word in arguments.set)
     with open(ROOT / "reference/table1.csv", encoding="utf-8") as file:
         table = csv.DictReader(line for line in file if not line.startswith("#"))
-        target = next(row for row in table if row["source"] == "published_model")
-    with tempfile.TemporaryDirectory() as folder, concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool:
-        program = Program(arguments.trunk, folder)
-
+        published = next(row for row in table if row["source"] == "published_model")
+    with workbench(arguments) as (program, pool):
         def start(settings):
-            return pool.submit(run, program, arguments.scenario, settings, target["dv_ml"])
+            return pool.submit(run, program, arguments.scenario, settings, published["dv_ml"])
         base = start(always)
         started = [[start(always | dict.fromkeys(keys, value)) for value in values] for keys, values in ranges]
         base, groups = base.result(), [(group, [s.result() for s in row]) for group, row in zip(ranges, started)]
     write_csv(arguments.output, ["key", "value", "k_muscle_N_per_m", *MEASURES, "status"],
               [{"key": keys[0], "value": value} | row for (keys, values), rows in [((("",), [""]), [base]), *groups]
                for value, row in zip(values, rows)])
-    print(markdown(base, groups, target))
+    print(markdown(base, groups, published))
 
 
 if __name__ == "__main__":
