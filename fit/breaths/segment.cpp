@@ -34,7 +34,7 @@ void check_any(const Trace& trace, const WholeBreaths& found) {
 
 std::vector<Breath> breaths_at(const Landmarks& marks) {
   std::vector<Breath> breaths;
-  const auto& [time, value] = marks.rest;
+  const std::vector<double>&time = marks.rest.time, &value = marks.rest.value;
   for (std::size_t i = 0; i < marks.peak_s.size(); ++i) {
     Breath b{time[i], marks.peak_s[i], time[i + 1], marks.tidal_volume[i], true, ""};
     b.pause_s = std::min(marks.rests_s[i + 1], b.expiration_s());
@@ -91,7 +91,7 @@ std::string odd_return(const Breath& breath, double shift, Text text) {
 // the drift over a neighbouring breath. A wandering base line moves neighbours alike; a shift moves one
 // breath.
 std::vector<double> shifts_of(const Landmarks& marks, double drift) {
-  const auto& [time, value] = marks.rest;
+  const std::vector<double>&time = marks.rest.time, &value = marks.rest.value;
   const auto slope = [&](std::size_t k) { return (value[k + 1] - value[k]) / (time[k + 1] - time[k]); };
   std::vector<double> shifts;
   for (std::size_t i = 0; i + 1 < time.size(); ++i) {

@@ -34,7 +34,9 @@ std::map<Corners, CornerStiffness> stiffness_by_corners(std::span<const LinearAc
 /// Adds the stiffness of the actuators. Row and column are 3 particle + 0, 1 or 2 for x, y and z; the lower
 /// triangle is enough. => triplets
 void add_stiffness(std::span<const LinearActuator> actuators, Triplets& triplets) {
-  for (const auto& [corners, sum] : stiffness_by_corners(actuators))
+  for (const auto& on_corners : stiffness_by_corners(actuators)) {
+    const Corners& corners = on_corners.first;
+    const CornerStiffness& sum = on_corners.second;
     for (Eigen::Index row = 0; row < 9; ++row)
       for (Eigen::Index column = 0; column < 9; ++column) {
         const auto at = [&](Eigen::Index k) {
@@ -43,6 +45,7 @@ void add_stiffness(std::span<const LinearActuator> actuators, Triplets& triplets
         if (at(column) <= at(row) && sum(row, column) != 0.0)
           triplets.emplace_back(at(row), at(column), sum(row, column));
       }
+  }
 }
 
 /// Adds the stiffness of shape memory with local frames that do not move: the force on each particle follows

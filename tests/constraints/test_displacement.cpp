@@ -46,7 +46,7 @@ TEST_CASE("A displaced region follows its course at every step, and the volume i
                      {0, 0, -1},
                      {0, 0, 1},
                      PiecewiseLinear({{0.0, 0.0}, {0.2, 0.005}}),
-                     "here"}};
+                     {"here"}}};
   const Trunk trunk = make_trunk(scenario);
   double sideways = 0.0, off_course = 0.0, volume_error = 0.0;
   const Ending ending =

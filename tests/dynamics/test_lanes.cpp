@@ -116,7 +116,7 @@ TEST_CASE("Lanes that fail do not disturb their neighbours", "[property][dynamic
   check_lanes(model, trials, {1e-3, 0.1});
   const auto together = histories<Four>(model, trials, {1e-3, 0.1});
   CHECK(together[0].ending.completed());
-  for (std::size_t lane : {1, 2, 3}) CHECK_FALSE(together[lane].ending.completed());
+  for (std::size_t lane : {1UL, 2UL, 3UL}) CHECK_FALSE(together[lane].ending.completed());
 }
 
 TEST_CASE("The search for contacts of each lane ends by itself, with the same bits",

@@ -158,7 +158,7 @@ TEST_CASE("A free body in a held volume keeps its shape, and the volume is held,
           "[property][dynamics]") {
   Scenario scenario = shipped("healthy");
   scenario.time.duration_s = 2.5;
-  scenario.rigid = {{"central_tendon", RigidBody::Motion::free, {}, "", "here"}};
+  scenario.rigid = {{"central_tendon", RigidBody::Motion::free, {}, "", {"here"}}};
   const Trunk trunk = make_trunk(scenario);
   const auto& tendon = trunk.mesh.named("central_tendon");
   double volume_error = 0.0, stretch = 0.0, turned = 0.0;

@@ -197,7 +197,7 @@ TEST_CASE("A body that cannot be carried is refused", "[unit][model]") {
 
 TEST_CASE("Forces move free bodies and free axes; loads and driven bodies move their own", "[unit][model]") {
   Model model = held_box();
-  for (const std::size_t i : {4, 5, 6, 7}) model.mobility[i] = {0, 0, 0};
+  for (const std::size_t i : {4UL, 5UL, 6UL, 7UL}) model.mobility[i] = {0, 0, 0};
   model.mobility[4] = {0, 0, 1};
   carry(body_of(RigidBody::Motion::free, {0, 1, 2}), model);
   carry(body_of(RigidBody::Motion::driven, {3}), model);

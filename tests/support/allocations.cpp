@@ -62,6 +62,11 @@ void operator delete(void* memory) noexcept {
 void operator delete[](void* memory) noexcept {
   std::free(memory);
 }
+// clang 14 declares these four by itself only where it calls them.
+void operator delete(void* memory, std::size_t) noexcept;
+void operator delete[](void* memory, std::size_t) noexcept;
+void operator delete(void* memory, std::size_t, std::align_val_t) noexcept;
+void operator delete[](void* memory, std::size_t, std::align_val_t) noexcept;
 void operator delete(void* memory, std::size_t) noexcept {
   std::free(memory);
 }

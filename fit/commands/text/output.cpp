@@ -17,8 +17,10 @@ std::atomic<bool> was_interrupted = false;
 static_assert(std::atomic<bool>::is_always_lock_free);
 bool progress_shown = false;
 
-extern "C" void note_interrupt(int) {
+extern "C" {
+static void note_interrupt(int) {
   was_interrupted = true;
+}
 }
 
 }  // namespace

@@ -178,7 +178,7 @@ TEST_CASE("The file of geometry.pml is beside the file that names it, or in the 
 
 TEST_CASE("Replacing or removing a trunk also removes its rigid parts", "[regression][io]") {
   TemporaryFolder folder;
-  folder.write("free.pml", pml_of_resolution(1, {{"central_tendon", Motion::free, {}, "", ""}}));
+  folder.write("free.pml", pml_of_resolution(1, {{"central_tendon", Motion::free, {}, "", {}}}));
   folder.write("plain.pml", pml_of_resolution(1));
   const auto path = folder.write("own.toml", "[geometry]\npml = \"free.pml\"\n");
   const auto bodies = [&](const std::vector<std::string>& settings) {
@@ -197,7 +197,7 @@ TEST_CASE("Replacing or removing a trunk also removes its rigid parts", "[regres
   // As results keep it: the text names the file, and the trunk stands beside the text.
   const std::string text = "[geometry]\npml = \"" + (folder / "free.pml").string() + "\"\n";
   ScenarioFile kept =
-      scenario_of_text(text, "run.h5", pml_of_resolution(1, {{"lung_top", Motion::fixed, {}, "", ""}}));
+      scenario_of_text(text, "run.h5", pml_of_resolution(1, {{"lung_top", Motion::fixed, {}, "", {}}}));
   REQUIRE(kept.scenario.rigid.size() == 1);
   CHECK(kept.scenario.rigid[0].region == "lung_top");  // the text's trunk counts, the file is not read
   apply_settings(std::vector<std::string>{"geometry.pml="}, kept);
@@ -206,8 +206,8 @@ TEST_CASE("Replacing or removing a trunk also removes its rigid parts", "[regres
 
 TEST_CASE("A rigid part of the scenario overrides the same part of its trunk", "[unit][io]") {
   TemporaryFolder folder;
-  folder.write("free.pml", pml_of_resolution(1, {{"central_tendon", Motion::free, {}, "", ""},
-                                                 {"lung_top", Motion::fixed, {}, "", ""}}));
+  folder.write("free.pml", pml_of_resolution(1, {{"central_tendon", Motion::free, {}, "", {}},
+                                                 {"lung_top", Motion::fixed, {}, "", {}}}));
   const Scenario s = read_scenario(folder.write("own.toml",
                                                 "[geometry]\npml = \"free.pml\"\n[[rigid]]\nregion = "
                                                 "\"central_tendon\"\nmotion = \"fixed\"\n"))

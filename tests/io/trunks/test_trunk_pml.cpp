@@ -145,9 +145,9 @@ TEST_CASE("A trunk from PML moves like the trunk that was written", "[property][
 
 TEST_CASE("A trunk in PML keeps its rigid parts, except driven ones", "[unit][io]") {
   Scenario s = shipped("healthy");
-  s.rigid = {{"rib_cage_right", RigidBody::Motion::fixed, {}, "zone_of_apposition_right", "a"},
-             {"central_tendon", RigidBody::Motion::free, {}, "", "b"},
-             {"rib_cage_left", RigidBody::Motion::driven, {}, "zone_of_apposition_left", "c"}};
+  s.rigid = {{"rib_cage_right", RigidBody::Motion::fixed, {}, "zone_of_apposition_right", {"a"}},
+             {"central_tendon", RigidBody::Motion::free, {}, "", {"b"}},
+             {"rib_cage_left", RigidBody::Motion::driven, {}, "zone_of_apposition_left", {"c"}}};
   s.rigid[2].imposed.angle = PiecewiseLinear({{0.0, 0.0}, {1.0, 0.01}});
   s.rigid[2].imposed.axis = {0, 1, 0};
   const TrunkFile file = trunk_of_pml(trunk_pml(s), "t.pml");

@@ -119,6 +119,8 @@ std::vector<std::string> attribute_names(hid_t object) {
   return names;
 }
 
+namespace {
+
 void require_own(hid_t group, const std::string& path) {
   for (std::size_t end = path.find('/');; end = path.find('/', end + 1)) {
     const std::string part = path.substr(0, end);
@@ -128,6 +130,8 @@ void require_own(hid_t group, const std::string& path) {
     if (end == std::string::npos) return;
   }
 }
+
+}  // namespace
 
 Group open_group(hid_t group, const std::string& path) {
   require_own(group, path);
