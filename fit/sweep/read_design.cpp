@@ -242,7 +242,7 @@ void try_everything(const SweepDesign& design) {
     const auto try_values = [&](const SweepDesign::Axis& axis, const std::vector<double>& values) {
       for (const double value : values) {
         ScenarioFile trial = file;
-        apply_settings(std::vector<Setting>{{axis.key, fmt::format("{}", value), axis.at.text()}}, trial);
+        apply_settings(std::vector<Setting>{{axis.key, fmt::format("{}", value), axis.at}}, trial);
       }
     };
     for (const SweepDesign::Axis& axis : design.grid) try_values(axis, axis.values);

@@ -76,6 +76,17 @@ void require_own_values(hid_t dataset, const std::string& path) {
     throw Error("cannot read " + path + ": its values are elsewhere");
 }
 
+/// Throws Error if a part of the path is not in the file itself.
+void require_own(hid_t group, const std::string& path) {
+  for (std::size_t end = path.find('/');; end = path.find('/', end + 1)) {
+    const std::string part = path.substr(0, end);
+    H5L_info_t link{};
+    require(H5Lget_info(group, part.c_str(), &link, H5P_DEFAULT), "find " + part);
+    if (link.type != H5L_TYPE_HARD) throw Error("cannot open " + part + ": it is a link to somewhere else");
+    if (end == std::string::npos) return;
+  }
+}
+
 }  // namespace
 
 bool has_link(hid_t group, const std::string& name) {
@@ -118,20 +129,6 @@ std::vector<std::string> attribute_names(hid_t object) {
   require(H5Aiterate2(object, H5_INDEX_NAME, H5_ITER_INC, &start, collect, &names), "list attributes");
   return names;
 }
-
-namespace {
-
-void require_own(hid_t group, const std::string& path) {
-  for (std::size_t end = path.find('/');; end = path.find('/', end + 1)) {
-    const std::string part = path.substr(0, end);
-    H5L_info_t link{};
-    require(H5Lget_info(group, part.c_str(), &link, H5P_DEFAULT), "find " + part);
-    if (link.type != H5L_TYPE_HARD) throw Error("cannot open " + part + ": it is a link to somewhere else");
-    if (end == std::string::npos) return;
-  }
-}
-
-}  // namespace
 
 Group open_group(hid_t group, const std::string& path) {
   require_own(group, path);
