@@ -50,8 +50,8 @@ std::unique_ptr<Recording> open_recording(const std::filesystem::path& path) {
   if (is_edf(start)) return open_edf(path);
   for (const ForeignFormat& format : foreign_formats)
     if (start.starts_with(format.start))
-      throw InputError({path.string()}, fmt::format("this is {}", format.what),
-                       "a text table, MATLAB, EDF or BDF", std::string(format.remedy));
+      throw InputError({path.string()}, fmt::format("this is {}", format.what), "text, MATLAB, EDF or BDF",
+                       std::string(format.remedy));
   return recording_of_text(path.string(), read_text_file(path, largest_text));
 }
 

@@ -264,5 +264,5 @@ TEST_CASE("Files of other known formats are named") {
   CHECK_THAT(trace_error("\x89HDF\r\n"), Contains("binary file (HDF5") && Contains("expected text"));
   CHECK_THAT(trace_error("\x1F\x8Bgz"), Contains("gzip"));
   CHECK_THAT(trace_error("MATLAB 5.0 MAT-file" + std::string(120, ' ')),
-             Contains("FILE: a MAT-file that is damaged"));
+             Contains("FILE: the MAT-file is damaged"));
 }

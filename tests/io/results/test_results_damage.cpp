@@ -50,7 +50,8 @@ TEST_CASE("A file that is not a finished results file is refused with the reason
   for (const std::size_t size :
        {std::size_t{48}, bytes.size() / 2, bytes.size() - 72 - 1, bytes.size() - 1}) {
     put(path, bytes.substr(0, size));
-    CHECK_THAT(refusal(), Contains("is truncated: " + std::to_string(size) + " of " + whole + " bytes"));
+    CHECK_THAT(refusal(),
+               Contains("is truncated: it has " + std::to_string(size) + " of " + whole + " bytes"));
   }
   CHECK_THAT(error_of<InputError>([&] { inspection_text(folder / ""); }), Contains("is a folder"));
 }
@@ -139,5 +140,5 @@ TEST_CASE("A file that is not HDF5 is described by its content", "[results]") {
   CHECK_THAT(said_of("report.html", "<!doctype html>"), Contains("web page"));
   CHECK_THAT(said_of("trunk.pml", "<?xml version=\"1.0\"?>"), Contains("XML"));
   CHECK_THAT(said_of("x", "hello"), Contains("expected a results file of trunk; it looks like text"));
-  CHECK_THAT(said_of("y", "\x01\x02"), Contains("nothing known here"));
+  CHECK_THAT(said_of("y", "\x01\x02"), Contains("it looks like an unknown format"));
 }
