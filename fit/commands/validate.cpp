@@ -79,7 +79,7 @@ Exit validate_command(const Common& common, ValidateRequest request) {
   print_result(common, validation_summary(run, results, failures.empty(), request),
                validation_text(run, results));
   if (failures.empty()) return Exit::done;
-  print_note("trunk: " + failures + unfinished_text(findings));
+  print_note("trunk: " + failures + unfinished_text(run));
   return Exit::not_converged;
 }
 

@@ -220,14 +220,6 @@ std::vector<double> some_of(const std::vector<double>& values) {
   return {values.front(), *low, *high};
 }
 
-/// Throws `error` with the place where the design names the file.
-[[noreturn]] void rethrow_named_in(const Place& place, const InputError& error) {
-  std::vector<Mistake> mistakes = error.mistakes();
-  for (Mistake& mistake : mistakes)
-    if (mistake.named_in.file.empty()) mistake.named_in = place;
-  throw InputErrors(std::move(mistakes));
-}
-
 /// Tries every file, key and value, so that a mistake shows before the first run and not after an hour.
 void try_everything(const SweepDesign& design) {
   std::error_code ignored;
