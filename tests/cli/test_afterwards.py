@@ -130,7 +130,7 @@ class Replay(Afterwards):
                                      '"time.dt_ms" = [3]\n"time.duration_s" = [0.3]\n')
         self.succeeds("sweep", design, "-o", "d")
         for command in (("replay", "d/sweep.h5"), ("diff", "d/sweep.h5", "d/sweep.h5"), ("export", "d/sweep.h5", "--csv", "out")):
-            self.refused(*command, says="d/sweep.h5: is a sweep; expected a run or a fit")
+            self.refused(*command, says="d/sweep.h5: is a sweep[;,] expected a run or a fit")
 
 
 class Csv(Afterwards):

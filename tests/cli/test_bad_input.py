@@ -39,7 +39,7 @@ class Traces(TrunkTest):
                 ("litres under ml", csv(TIMES, VOLUMES, factor=0.001),
                  r"t.csv: .*tidal volume of 0\.\d+ ml.*expected 30 to 6000 ml.*litres.*volume_L"),
                 ("ml under litres", csv(TIMES, VOLUMES, "time_s,volume_L"), "tidal volume of 4.* ml.*volume_ml"),
-                ("NaN", at_one_second("*,nan", TOO_LONG), "t.csv:102: 'nan' found in column 'volume_ml'; expected a finite"),
+                ("NaN", at_one_second("*,nan", TOO_LONG), "t.csv:102: 'nan' found in column 'volume_ml' .the first of 26 .*; expected a finite"),
                 ("infinite", at_one_second("*,-inf", TOO_LONG), "t.csv:102: '-inf' found.*expected a finite"),
                 ("a word", at_one_second("*,cough", TOO_LONG), "t.csv:102: 'cough' found.*expected a number"),
                 ("an empty cell", at_one_second("*,,", TOO_LONG), "t.csv:102: .*volume_ml"),
