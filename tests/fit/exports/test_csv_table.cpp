@@ -1,9 +1,8 @@
-#include <catch2/catch.hpp>
-
 #include <limits>
 
 #include "exports/csv_table.hpp"
 #include "exports/csv_tables.hpp"
+#include "support/catch.hpp"
 
 using namespace trunk;
 

@@ -1,12 +1,10 @@
-#include <catch2/catch.hpp>
-
 #include "errors/input_error.hpp"
 #include "exports/vtk_files.hpp"
+#include "support/catch.hpp"
 #include "support/temporary_folder.hpp"
 #include "surfaces/read_surface.hpp"
 
 using namespace trunk;
-using Catch::Matchers::Contains;
 
 namespace {
 

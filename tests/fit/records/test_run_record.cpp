@@ -1,13 +1,11 @@
-#include <catch2/catch.hpp>
-
 #include <cmath>
 
 #include "errors/input_error.hpp"
 #include "records/run_record.hpp"
+#include "support/catch.hpp"
 #include "support/trunks.hpp"
 
 using namespace trunk;
-using Catch::Matchers::Contains;
 
 namespace {
 

@@ -1,11 +1,11 @@
 #include <zlib.h>
-#include <catch2/catch.hpp>
 
 #include <cmath>
 #include <cstring>
 #include <limits>
 
 #include "report/packed.hpp"
+#include "support/catch.hpp"
 
 using namespace trunk;
 

@@ -1,12 +1,10 @@
-#include <catch2/catch.hpp>
-
 #include <cmath>
 
 #include "errors/input_error.hpp"
 #include "shape/compare_shape.hpp"
+#include "support/catch.hpp"
 
 using namespace trunk;
-using Catch::Matchers::Contains;
 
 namespace {
 
