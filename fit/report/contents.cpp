@@ -35,9 +35,7 @@ Json packed_from(const std::filesystem::path& path, Pack pack) {
   try {
     return pack();
   } catch (const InputError& error) {
-    Mistake mistake = error.mistake();
-    mistake.at = {path.string()};
-    throw InputError(mistake);
+    rethrow_at({path.string()}, error);
   }
 }
 

@@ -50,7 +50,7 @@ std::string SweepDesign::subject_name(std::size_t number) const {
 std::vector<Setting> SweepDesign::settings_of(const std::vector<double>& values) const {
   std::vector<Setting> settings;
   for (const Axis* axis : axes())
-    settings.push_back({axis->key, fmt::format("{}", values[settings.size()]), axis->at.text()});
+    settings.push_back({axis->key, fmt::format("{}", values[settings.size()]), axis->at});
   return settings;
 }
 
