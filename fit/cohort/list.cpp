@@ -19,10 +19,11 @@ void require_file_name(const DelimitedText& table, std::size_t line, const std::
                     std::string_view(".-+=@").find(name.front()) == std::string_view::npos &&
                     name != "cohort" && std::none_of(name.begin(), name.end(), odd);
   if (fits) return;
-  throw InputError(table.source(), line,
-                   (name.empty() ? "a row without a subject" : "subject " + excerpt(name)) +
-                       " found; expected a name for its result file: 1 to 100 characters, no slash, not "
-                       "beginning with one of . - + = @, not 'cohort'");
+  throw InputError(
+      {table.source(), line},
+      name.empty() ? "this row names no subject" : "subject " + excerpt(name) + " cannot name a result file",
+      "1 to 100 characters without a slash, which do not begin with one of . - + = @ and are not "
+      "'cohort'");
 }
 
 std::vector<std::string> distinct_columns(const DelimitedText& table) {
@@ -30,8 +31,8 @@ std::vector<std::string> distinct_columns(const DelimitedText& table) {
   for (std::size_t i = 0; i < names.size(); ++i)
     if (std::find(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(i), names[i]) !=
         names.begin() + static_cast<std::ptrdiff_t>(i))
-      throw InputError(table.source(), table.header_line(),
-                       "column " + excerpt(names[i]) + " found twice; expected each once");
+      throw InputError({table.source(), table.header_line()}, "column " + excerpt(names[i]) + " stands twice",
+                       "each column once");
   return names;
 }
 
@@ -46,8 +47,8 @@ CohortList read_cohort_list(const std::filesystem::path& path) {
   list.columns = distinct_columns(table);
   const auto subject = std::find(list.columns.begin(), list.columns.end(), "subject");
   if (subject == list.columns.end())
-    throw InputError(table.source(), table.header_line(),
-                     "no column 'subject' found; expected a header such as subject,trace");
+    throw InputError({table.source(), table.header_line()}, "there is no column 'subject'",
+                     "a header such as subject,trace");
   const auto at = static_cast<std::size_t>(subject - list.columns.begin());
   std::map<std::string, std::size_t> lines;
   for (DelimitedText::Row row; table.next(row);) {
@@ -56,17 +57,19 @@ CohortList read_cohort_list(const std::filesystem::path& path) {
     s.name = s.cells[at];
     require_file_name(table, row.line, s.name);
     if (const auto [first, is_new] = lines.emplace(s.name, row.line); !is_new)
-      throw InputError(table.source(), row.line,
-                       "subject " + excerpt(s.name) + " found, as in line " + std::to_string(first->second) +
-                           "; expected each once");
+      throw InputError(
+          {table.source(), row.line},
+          "subject " + excerpt(s.name) + " stands in line " + std::to_string(first->second) + " as well",
+          "each subject once");
     list.subjects.push_back(std::move(s));
     if (list.subjects.size() > CohortList::max_subjects)
-      throw InputError(
-          table.source(), row.line,
-          "more than " + std::to_string(CohortList::max_subjects) + " subjects found; divide the list");
+      throw InputError({table.source(), row.line},
+                       "this is subject " + std::to_string(list.subjects.size()) + " of the list",
+                       "at most " + std::to_string(CohortList::max_subjects) + " subjects",
+                       "divide the list");
   }
   if (list.subjects.empty())
-    throw InputError(table.source(), 0, "no subject found; expected one a row below the header");
+    throw InputError({table.source()}, "the list names no subject", "a row for each below the header");
   return list;
 }
 

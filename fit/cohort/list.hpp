@@ -6,14 +6,14 @@
 
 namespace trunk {
 
-/// A subject of a cohort and what its row says, as text.
+/// A subject of a cohort, with the cells of its row as text.
 struct CohortSubject {
   std::string name;
   std::size_t line = 0;
-  std::vector<std::string> cells;  // [columns]; "" where the row says nothing
+  std::vector<std::string> cells;  // [columns]; "" if the row leaves the cell empty
 };
 
-/// A cohort as its table lists it: a column `subject`, others by name.
+/// A cohort as its list gives it: a column `subject`, and others by name.
 struct CohortList {
   std::filesystem::path path;
   std::string text;
@@ -24,7 +24,8 @@ struct CohortList {
   static constexpr std::size_t max_subjects = 100'000;
 };
 
-/// Reads a list (delimited text with a header). Subjects become names of files: 1 to 100 characters, no '/',
+/// Returns the list in a file (delimited text with a header). Subjects become names of files: 1 to 100
+/// characters, no '/',
 /// '\' or control character, not beginning with one of . - + = @ (a formula to a spreadsheet), each once.
 /// Throws InputError with file and line.
 CohortList read_cohort_list(const std::filesystem::path& path);

@@ -20,12 +20,32 @@ std::string cell(const std::string& text) {
   return result + '"';
 }
 
-/// Names in the order in which they first appear, each with its column.
+void add(const RowEstimate& e, std::vector<NamedValue>& cells) {
+  cells.push_back({e.name, e.unit, e.value});
+  cells.push_back({e.name + "_lower95", e.unit, e.lower95});
+  cells.push_back({e.name + "_upper95", e.unit, e.upper95});
+  cells.push_back({e.name + "_at_bound", "1", e.at_bound ? 1.0 : 0.0});
+}
+
+/// Returns all numbers of a row, each with the name of its column.
+std::vector<NamedValue> cells_of(const CohortRow& row) {
+  std::vector<NamedValue> cells;
+  for (const RowEstimate& e : row.estimates) add(e, cells);
+  cells.insert(cells.end(), row.numbers.begin(), row.numbers.end());
+  for (const RowPrediction& p : row.predictions) {
+    add(p.delta_v, cells);
+    add(p.ratio, cells);
+    cells.push_back(p.failed_draws);
+  }
+  return cells;
+}
+
+/// Returns the column of each name, in the order in which the names first appear.
 std::map<std::string, std::size_t> columns_of(const std::vector<CohortRow>& rows,
                                               std::vector<std::string>& names) {
   std::map<std::string, std::size_t> columns;
   for (const CohortRow& row : rows)
-    for (const NamedValue& v : row.numbers)
+    for (const NamedValue& v : cells_of(row))
       if (columns.emplace(v.name, names.size()).second) names.push_back(v.name);
   return columns;
 }
@@ -40,7 +60,7 @@ std::string cohort_csv(const std::vector<CohortRow>& rows) {
   text += ",verdict,error\n";
   for (const CohortRow& row : rows) {
     std::vector<double> values(names.size(), std::nan(""));
-    for (const NamedValue& v : row.numbers) values[columns.at(v.name)] = v.value;
+    for (const NamedValue& v : cells_of(row)) values[columns.at(v.name)] = v.value;
     text += fmt::format("{},{},{}", cell(row.subject), row.status, row.identifiable ? "yes" : "no");
     for (const double v : values) text += std::isfinite(v) ? fmt::format(",{}", v) : ",";
     text += "," + cell(row.verdict) + "," + cell(row.error) + "\n";

@@ -3,11 +3,12 @@
 #include <optional>
 
 #include "breaths/mean_breath.hpp"
-#include "commands/check_fit.hpp"
 #include "commands/commands.hpp"
+#include "commands/options/fit_options.hpp"
 #include "dynamics/stability.hpp"
 #include "scenarios/build_trunk.hpp"
 #include "scenarios/keys.hpp"
+#include "subject/check_fit.hpp"
 
 namespace trunk {
 namespace {

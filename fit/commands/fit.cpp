@@ -2,9 +2,12 @@
 
 #include "commands/commands.hpp"
 #include "commands/fit_cohort.hpp"
+#include "commands/options/fit_options.hpp"
 #include "commands/text/fit_text.hpp"
 #include "errors/input_error.hpp"
 #include "files/replace_file.hpp"
+#include "subject/fit_job.hpp"
+#include "subject/fit_json.hpp"
 
 namespace trunk {
 namespace {
@@ -14,6 +17,11 @@ void require_results_free(const Common& common, const FitRequest& request, const
   if (!request.save_scenario.empty()) outputs.emplace_back(request.save_scenario);
   require_apart(job.inputs(), outputs);
   for (const auto& output : outputs) require_writable_output(output, common.force);
+}
+
+Exit exit_of(const Estimation& e) {
+  if (!e.search.converged) return Exit::not_converged;
+  return status_of(e) == "converged" ? Exit::done : Exit::not_identifiable;
 }
 
 Execution watched(unsigned threads) {
@@ -35,7 +43,7 @@ Exit fit_command(const Common& common, FitRequest request) {
   try {
     outcome = job.carry_out();
   } catch (const Cancelled&) {
-    print_note(fmt::format("interrupted: nothing written but {}, from which the same command goes on",
+    print_note(fmt::format("interrupted: only {} was written; the same command goes on from it",
                            job.ledger_file().string()));
     return Exit::interrupted;
   }
@@ -51,15 +59,17 @@ void add_fit(CLI::App& app, Common& common, Run& run) {
   auto* command = app.add_subcommand("fit", "Fit k_elasticity and k_muscle to a lung volume trace");
   const auto r = std::make_shared<FitRequest>();
   add_scenario_option(*command, *r);
-  command->add_option(
-      "--cohort", r->cohort,
-      "fit many: a table (CSV) with columns subject, trace, and, where it differs from subject "
-      "to subject, scenario or any option below by its long name");
-  command->add_option("-o,--output", r->output, "result file (HDF5), of a cohort its folder")->required();
+  command->add_option("--cohort", r->cohort,
+                      "fit many subjects: a table (CSV) with the columns subject and trace, and a column "
+                      "scenario, or the long "
+                      "name of an option below, for each that differs from subject to subject");
+  command->add_option("-o,--output", r->output, "result file (HDF5); with --cohort, the output folder")
+      ->required();
   add_subject_options(*command, *r);
   command->add_option("--save-scenario", r->save_scenario,
                       "write the scenario with the fitted values to this file");
-  command->add_option("-j,--threads", r->plan.estimation.execution.threads, "threads [one a core]")
+  command
+      ->add_option("-j,--threads", r->plan.estimation.execution.threads, "number of threads [one per core]")
       ->check(CLI::Range(1u, 1024u));
   command->add_flag("--json", common.json, "print one JSON object");
   command->add_flag("--force", common.force, "replace result files that exist");

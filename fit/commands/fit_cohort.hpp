@@ -1,16 +1,16 @@
 #pragma once
 
-#include "commands/options/fit_options.hpp"
+#include <CLI/CLI.hpp>
+
 #include "commands/text/output.hpp"
+#include "subject/fit_request.hpp"
 
 namespace trunk {
 
-/// Fits every subject of the list, side by side; one that fails is a row and stops no other. Subjects whose
-/// fit is there already, made from the same files and options, are not fitted again. `typed` are the options
-/// given to all.
+/// Carries out `trunk fit --cohort` and prints its table. `typed` are the options given to all subjects.
 Exit fit_cohort(const Common& common, FitRequest request, const std::string& typed);
 
-/// What was typed of the options that a subject's result depends on.
+/// Returns the options, as typed, on which a subject's result depends.
 std::string subject_options_text(const CLI::App& command);
 
 }  // namespace trunk

@@ -10,26 +10,14 @@ namespace trunk {
 namespace {
 
 std::vector<NamedValue> statistics_of(const Estimation& e) {
-  std::vector<NamedValue> s = {
-      {"nrmse_percent", "percent", 100.0 * e.quality.nrmse},
-      {"tidal_volume_measured_ml", "ml", ml_per_m3 * e.quality.tidal_volume_m3},
-      {"tidal_volume_error_ml", "ml", ml_per_m3 * e.quality.tidal_volume_error_m3},
-      {"peak_time_error_s", "s", e.quality.peak_time_error_s},
-      {"baseline_nrmse_percent", "percent", 100.0 * e.quality.baseline_nrmse},
-      {"bic", "1", e.quality.bic},
-      {"baseline_bic", "1", e.quality.baseline_bic},
-      {"objective", "1", e.search.objective},
-      {"evaluations", "1", static_cast<double>(e.evaluations.size())},
-      {"failed_evaluations", "1", static_cast<double>(e.failures)},
-  };
+  std::vector<NamedValue> s = quality_numbers(e);
+  s.push_back({"evaluations", "1", static_cast<double>(e.evaluations.size())});
+  s.push_back({"failed_evaluations", "1", static_cast<double>(e.failures)});
   if (e.cross_check)
     s.push_back({"methods_differ_percent", "percent", 100.0 * e.cross_check->largest_difference});
   if (e.uncertainty) {
-    s.push_back({"noise_autocorrelation", "1", e.uncertainty->noise_autocorrelation});
-    s.push_back({"noise_sigma_ml", "ml", ml_per_m3 * e.uncertainty->sigma_m3});
-    s.push_back({"degrees_of_freedom", "1", e.uncertainty->freedom});
-    s.push_back({"residual_autocorrelation", "1", e.uncertainty->residual_autocorrelation});
-    s.push_back({"condition_number", "1", e.uncertainty->condition_number});
+    const auto noise = noise_numbers(*e.uncertainty);
+    s.insert(s.end(), noise.begin(), noise.end());
     s.push_back({"ratio", "1", e.uncertainty->ratio.value});
     s.push_back({"ratio_lower95", "1", e.uncertainty->ratio.lower95});
     s.push_back({"ratio_upper95", "1", e.uncertainty->ratio.upper95});
@@ -129,6 +117,25 @@ void add_bootstrap(const SearchSpace& space, const Bootstrap& b, FitRecord& fit)
 }
 
 }  // namespace
+
+std::vector<NamedValue> quality_numbers(const Estimation& e) {
+  return {{"nrmse_percent", "percent", 100.0 * e.quality.nrmse},
+          {"tidal_volume_measured_ml", "ml", ml_per_m3 * e.quality.tidal_volume_m3},
+          {"tidal_volume_error_ml", "ml", ml_per_m3 * e.quality.tidal_volume_error_m3},
+          {"peak_time_error_s", "s", e.quality.peak_time_error_s},
+          {"baseline_nrmse_percent", "percent", 100.0 * e.quality.baseline_nrmse},
+          {"bic", "1", e.quality.bic},
+          {"baseline_bic", "1", e.quality.baseline_bic},
+          {"objective", "1", e.search.objective}};
+}
+
+std::vector<NamedValue> noise_numbers(const Uncertainty& u) {
+  return {{"noise_autocorrelation", "1", u.noise_autocorrelation},
+          {"noise_sigma_ml", "ml", ml_per_m3 * u.sigma_m3},
+          {"degrees_of_freedom", "1", u.freedom},
+          {"residual_autocorrelation", "1", u.residual_autocorrelation},
+          {"condition_number", "1", u.condition_number}};
+}
 
 FitRecord fit_record(const ScenarioFile& file, const Trunk& trunk, const SearchSpace& space,
                      const MeasuredCurve& measured, const std::vector<double>& sigma_m3, const Estimation& e,

@@ -83,10 +83,15 @@ std::vector<std::vector<double>> all_volumes(const std::vector<DrawAt>& places,
   return volumes;
 }
 
+/// All but the first: the best point.
+std::vector<double> draws_of(const std::vector<double>& values) {
+  return {values.begin() + 1, values.end()};
+}
+
 Predicted predicted(const std::vector<double>& values) {
-  Predicted p{values.front(), unknown, unknown, unknown, {values.begin() + 1, values.end()}};
+  Predicted p{values.front(), unknown, unknown, unknown};
   std::vector<double> sorted;
-  for (const double v : p.draws)
+  for (const double v : draws_of(values))
     if (std::isfinite(v)) sorted.push_back(v);
   if (sorted.size() < fewest_draws) return p;
   std::sort(sorted.begin(), sorted.end());
@@ -134,10 +139,10 @@ std::vector<Prediction> predict(const SubjectFit& fit, const Estimation& e,
     const std::vector<double>& theirs = volumes[k + 1];
     std::vector<double> ratio;
     for (std::size_t i = 0; i < own.size(); ++i) ratio.push_back(theirs[i] / own[i]);
-    Prediction p{others[k].file.path, predicted(theirs), predicted(own), predicted(ratio), 0};
-    p.failed = static_cast<int>(std::count_if(p.ratio.draws.begin(), p.ratio.draws.end(),
-                                              [](double v) { return !std::isfinite(v); }));
-    result.push_back(std::move(p));
+    const auto failed =
+        std::count_if(ratio.begin() + 1, ratio.end(), [](double v) { return !std::isfinite(v); });
+    result.push_back({others[k].file.path, predicted(theirs), predicted(own), predicted(ratio),
+                      draws_of(theirs), draws_of(own), static_cast<int>(failed)});
   }
   return result;
 }

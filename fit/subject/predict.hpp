@@ -4,19 +4,19 @@
 
 namespace trunk {
 
-/// A number at the best estimate, and over draws of the parameters. NaN: not known.
+/// A number at the best estimate, and its median and interval over draws of the parameters. NaN: not known.
 struct Predicted {
   double value = 0.0, median = 0.0, lower95 = 0.0, upper95 = 0.0;
-  std::vector<double> draws;  // [draws]; NaN where the simulation failed
 };
 
 /// What the subject's trunk would do in another scenario.
 struct Prediction {
-  std::string scenario;  // its file
-  Predicted delta_v_m3;  // tidal volume there
-  Predicted own_m3;      // tidal volume in the scenario of the fit
-  Predicted ratio;       // of the two, draw by draw: what both share cancels
-  int failed = 0;        // draws of which one of the two simulations did not complete
+  std::string scenario;                                // its file
+  Predicted delta_v_m3;                                // tidal volume there
+  Predicted own_m3;                                    // tidal volume in the scenario of the fit
+  Predicted ratio;                                     // of the two, draw by draw: what both share cancels
+  std::vector<double> delta_v_draws_m3, own_draws_m3;  // [draws]; NaN if the simulation failed
+  int failed = 0;  // draws of which one of the two simulations did not complete
 };
 
 /// A scenario to predict, with its trunk.

@@ -3,16 +3,17 @@
 #include <cmath>
 
 #include "math/median.hpp"
+#include "subject/fit_summary.hpp"
 
 namespace trunk {
 namespace {
 
-void add(const Predicted& p, const std::string& name, const std::string& unit, double scale,
+void add(const Predicted& p, const std::string& name, const std::string& unit,
          std::vector<NamedValue>& numbers) {
-  numbers.push_back({name, unit, scale * p.value});
-  numbers.push_back({name + "_median", unit, scale * p.median});
-  numbers.push_back({name + "_lower95", unit, scale * p.lower95});
-  numbers.push_back({name + "_upper95", unit, scale * p.upper95});
+  numbers.push_back({name, unit, p.value});
+  numbers.push_back({name + "_median", unit, p.median});
+  numbers.push_back({name + "_lower95", unit, p.lower95});
+  numbers.push_back({name + "_upper95", unit, p.upper95});
 }
 
 }  // namespace
@@ -51,11 +52,12 @@ void add_breaths(const std::vector<BreathRefit>& breaths, FitRecord& record) {
 
 void add_predictions(const std::vector<Prediction>& predictions, FitRecord& record) {
   for (const Prediction& p : predictions) {
-    FitRecord::Prediction r{short_name(p.scenario), p.scenario, {}, p.delta_v_m3.draws, p.own_m3.draws};
-    add(p.delta_v_m3, "delta_v_ml", "ml", 1e6, r.numbers);
-    add(p.own_m3, "own_delta_v_ml", "ml", 1e6, r.numbers);
-    add(p.ratio, "ratio_percent", "percent", 100.0, r.numbers);
-    r.numbers.push_back({"failed", "1", static_cast<double>(p.failed)});
+    const PredictionSummary s = summary_of(p);
+    FitRecord::Prediction r{s.name, s.scenario, {}, p.delta_v_draws_m3, p.own_draws_m3};
+    add(s.delta_v_ml, "delta_v_ml", "ml", r.numbers);
+    add(s.own_delta_v_ml, "own_delta_v_ml", "ml", r.numbers);
+    add(s.ratio_percent, "ratio_percent", "percent", r.numbers);
+    r.numbers.push_back({"failed", "1", static_cast<double>(s.failed)});
     record.predictions.push_back(std::move(r));
   }
 }

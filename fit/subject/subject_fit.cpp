@@ -3,12 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 
-#include "errors/input_error.hpp"
 #include "records/provenance.hpp"
-#include "results/read/stored_run.hpp"
 #include "scenarios/build_trunk.hpp"
+#include "subject/fixed_parameters.hpp"
 #include "trunks/read_trunk_pml.hpp"
 
 namespace trunk {
@@ -20,50 +18,14 @@ std::vector<std::string> timing_names() {
   return names;
 }
 
-double number_in(const std::string& text, const std::string& option, const std::string& expected) {
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) throw InputError(option + ": " + expected);
-  return value;
-}
-
-/// --fix name=value or name=@file.h5. Returns the name.
-std::string apply_fixed(const std::string& text, ScenarioFile& file) {
-  const std::string expected = "expected name=value or name=@file.h5, as in --fix k_elasticity=4000";
-  const auto equals = text.find('=');
-  if (equals == std::string::npos) throw InputError("--fix " + text + ": " + expected);
-  const std::string name = text.substr(0, equals), value = text.substr(equals + 1);
-  const FreeParameter& p = free_parameter(name);
+void hold(const std::vector<FixedParameter>& fixed, ScenarioFile& file) {
   Candidate c{file.scenario.parameters, file.scenario.activation};
-  if (value.starts_with('@')) {
-    const std::filesystem::path source = value.substr(1);
-    for (const NamedValue& v : read_parameters(source))
-      if (v.name == name) p.field(c) = v.value;
-    file.inputs.push_back(source);
-  } else {
-    p.field(c) = number_in(value, "--fix " + text, expected);
+  for (const FixedParameter& held : fixed) {
+    held.parameter->field(c) = held.value;
+    if (held.source) file.inputs.push_back(*held.source);
   }
-  if (!(p.field(c) >= p.lower && p.field(c) <= p.upper))
-    throw InputError(fmt::format("--fix {}: expected {:g} to {:g} {}", text, p.lower, p.upper, p.unit));
   file.scenario.parameters = c.parameters;
   file.scenario.activation = c.activation;
-  return name;
-}
-
-/// What to fit: what the plan says, or the two of the paper (one where there is but one number), less what is
-/// fixed.
-std::vector<std::string> names_to_fit(const FitPlan& plan, const Measurement& measurement,
-                                      const std::vector<std::string>& fixed) {
-  std::vector<std::string> names = parameter_names(plan.free);
-  if (names.empty())
-    names = measurement.breath ? std::vector<std::string>{"k_elasticity", "k_muscle"}
-                               : std::vector<std::string>{"k_muscle"};
-  for (const std::string& name : fixed) {
-    if (!plan.free.empty() && std::count(names.begin(), names.end(), name) > 0)
-      throw InputError("parameter '" + name + "' is both free and fixed, expected one of the two");
-    std::erase(names, name);
-  }
-  return names;
 }
 
 }  // namespace
@@ -84,12 +46,15 @@ SubjectFit::SubjectFit(ScenarioFile file, Measurement measurement, FitPlan plan)
     measured_curve_ = {{}, {measurement_.tidal_volume_m3}, {}};
     plan_.timing = Timing::scenario;
   }
-  std::vector<std::string> fixed;
-  for (const std::string& text : plan_.fixed) fixed.push_back(apply_fixed(text, file_));
-  for (const std::string& name : fixed) std::erase(beside, name);
-  space_ = std::make_unique<SearchSpace>(names_to_fit(plan_, measurement_, fixed),
-                                         Candidate{file_.scenario.parameters, file_.scenario.activation},
-                                         beside, plan_.priors);
+  std::vector<FixedParameter> fixed;
+  for (const std::string& text : plan_.fixed) fixed.push_back(fixed_parameter(text));
+  hold(fixed, file_);
+  for (const FixedParameter& held : fixed) std::erase(beside, held.name());
+  Mistakes mistakes;
+  const auto names = names_to_fit(plan_.free, fixed, !measurement_.breath, mistakes);
+  mistakes.settle();
+  space_ = std::make_unique<SearchSpace>(
+      names, Candidate{file_.scenario.parameters, file_.scenario.activation}, beside, plan_.priors);
   trunk_ = build_timed_trunk(file_, stiffer_in_searches);
 }
 

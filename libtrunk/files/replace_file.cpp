@@ -108,4 +108,18 @@ void replace_file(const fs::path& path, std::span<const std::byte> bytes, std::s
   synchronise_folder(folder_of(path));
 }
 
+void require_apart(const std::vector<fs::path>& inputs, const std::vector<fs::path>& outputs) {
+  const auto same = [](const fs::path& a, const fs::path& b) {
+    return fs::weakly_canonical(fs::absolute(a)) == fs::weakly_canonical(fs::absolute(b));
+  };
+  for (std::size_t i = 0; i < outputs.size(); ++i) {
+    const Place output{outputs[i].string()};
+    for (const fs::path& input : inputs)
+      if (same(input, outputs[i]))
+        throw InputError(output, "is read by this command", "another name for the result");
+    for (std::size_t j = 0; j < i; ++j)
+      if (same(outputs[j], outputs[i])) throw InputError(output, "is named for two results", "two names");
+  }
+}
+
 }  // namespace trunk

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <span>
 #include <string_view>
+#include <vector>
 
 namespace trunk {
 
@@ -11,6 +12,10 @@ namespace trunk {
 /// file exists (unless `force`) or is not a regular file, or if its folder is missing, not a folder or not
 /// writable. To test this, it creates a file in the folder and removes it.
 void require_writable_output(const std::filesystem::path& path, bool force);
+
+/// Makes sure that no output replaces a file that the command reads, or another output. Throws InputError.
+void require_apart(const std::vector<std::filesystem::path>& inputs,
+                   const std::vector<std::filesystem::path>& outputs);
 
 /// Stores `bytes` followed by `more` at `path`, completely or not at all. The bytes go to a new file beside
 /// it whose name ends in `.part`; this file is synchronised and then renamed. Until then, an old file and its

@@ -154,7 +154,7 @@ class EachBreath(TrunkTest):
 
     def test_needs_breaths_and_a_muscle_to_fit(self):
         for options, says in ((("--trace", "t.csv", "--fix", "k_muscle=20"), "k_muscle is what it fits"),
-                              (("--tidal-volume-ml", "300"), "expected a trace")):
+                              (("--tidal-volume-ml", "300"), "--breath each: .*; expected a trace")):
             self.refused("fit", HEALTHY, *options, "-o", "g.h5", *FAST_FIT, "--breath", "each", says=says)
 
 
@@ -252,16 +252,16 @@ class Cohort(TrunkTest):
 
     def test_a_list_that_makes_no_sense(self):
         for text, says in (("subject,trace,colour\nA,a.csv,red\n", "list.csv:1: column 'colour'.*expected.*subject.*breath"),
-                           ("trace\na.csv\n", "list.csv:1: no column 'subject'"),
-                           ("subject,trace\n", "no subject"),
-                           ("subject,trace\nA,a.csv\nA,b.csv\n", "list.csv:3: subject 'A' .*line 2"),
+                           ("trace\na.csv\n", "list.csv:1: there is no column 'subject'; expected a header"),
+                           ("subject,trace\n", "list.csv: the list names no subject; expected"),
+                           ("subject,trace\nA,a.csv\nA,b.csv\n", "list.csv:3: subject 'A' .*line 2 as well; expected each"),
                            ("subject,trace\n../A,a.csv\n", "list.csv:2: subject '../A'"),
                            ("subject,trace\na/b,a.csv\n", "list.csv:2: subject 'a/b'"),
                            ("subject,trace\n.h,a.csv\n", "list.csv:2: subject '.h'"),
-                           ("subject,trace\n,a.csv\n", "list.csv:2: a row without a subject"),
+                           ("subject,trace\n,a.csv\n", "list.csv:2: this row names no subject; expected 1 to 100"),
                            ("subject,trace,timing\nA,a.csv,never\n", "list.csv:2: .*timing.*never"),
                            ("subject,trace,output\nA,a.csv,b.h5\n", "column 'output'"),
-                           ("subject,trace,trace\nA,a.csv,b.csv\n", "'trace' found twice")):
+                           ("subject,trace,trace\nA,a.csv,b.csv\n", "'trace' stands twice")):
             with self.subTest(text):
                 self.list(text)
                 self.refused("fit", HEALTHY, "--cohort", "in/list.csv", "-o", "d", *ONE, says=says)

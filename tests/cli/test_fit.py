@@ -230,7 +230,7 @@ class Interrupted(TrunkTest):
             outcome = self.interrupt(process, lambda: self.simulating(process), sign)
             self.assertEqual(outcome.code, 130, str(outcome))
             self.assertEqual(outcome.out, "")
-            self.assertRegex(outcome.err, r"interrupted: nothing written but f.h5.ledger, from which the same command goes on\n\Z")
+            self.assertRegex(outcome.err, r"interrupted: only f.h5.ledger was written; the same command goes on from it\n\Z")
             self.assertEqual(set(self.contents()) - set(before), {str(self.folder / "f.h5.ledger")})
         self.assert_same_fit(whole, self.succeeds(*self.OPTIONS, codes=FITTED))
 

@@ -3,22 +3,6 @@
 #include "commands/commands.hpp"
 
 namespace trunk {
-namespace {
-
-TraceOptions trace_options(const SignalOptions& given) {
-  TraceOptions options;
-  options.time_column = given.time;
-  options.unit = given.unit;
-  options.time_unit = given.time_unit;
-  options.rate_hz = given.rate_hz;
-  if (!given.flow.empty()) options.kind = SignalKind::flow;
-  if (!given.volume.empty()) options.kind = SignalKind::volume;
-  if (!given.belt.empty()) options.kind = SignalKind::belt;
-  options.value_column = given.signal + given.flow + given.volume + given.belt;  // one of them
-  return options;
-}
-
-}  // namespace
 
 void add_signal_options(CLI::App& command, SignalOptions& options) {
   auto* time =
@@ -40,13 +24,6 @@ void add_signal_options(CLI::App& command, SignalOptions& options) {
       ->check(within(1e-3, 1e6))
       ->excludes(time);
   command.add_flag("--invert", options.invert, "the signal is positive on expiration: turn its sign");
-}
-
-Trace read_signal(const std::string& path, const SignalOptions& options) {
-  Trace trace = read_trace(path, trace_options(options));
-  if (options.invert)
-    for (double& value : trace.value) value = -value;
-  return trace;
 }
 
 }  // namespace trunk

@@ -1,16 +1,10 @@
 #pragma once
 
-#include "commands/fit_job.hpp"
+#include "subject/fit_outcome.hpp"
 
 namespace trunk {
 
-/// What `fit --json` says of an estimation; see README for the keys.
-Json fit_json(const SubjectFit& fit, const FitOutcome& outcome);
-
-/// The same as a table.
+/// Returns what `trunk fit` prints without --json.
 std::string fit_table(const SubjectFit& fit, const FitOutcome& outcome);
-
-/// value, unit, interval of an estimate.
-Json interval_json(const Estimate& e);
 
 }  // namespace trunk

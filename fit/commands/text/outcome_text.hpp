@@ -1,15 +1,13 @@
 #pragma once
 
-#include "commands/fit_job.hpp"
+#include "subject/fit_outcome.hpp"
 
 namespace trunk {
 
-/// The rows of `fit --breath each`, and what other scenarios come to.
-Json breaths_json(const std::vector<BreathRefit>& breaths);
-Json predictions_json(const std::vector<Prediction>& predictions);
-
-/// The same as tables; "" of none.
+/// Returns the rows of `fit --breath each` as a table; "" if there are none.
 std::string breaths_table(const std::vector<BreathRefit>& breaths);
+
+/// Returns one line for each scenario that was predicted; "" if there are none.
 std::string predictions_table(const std::vector<Prediction>& predictions);
 
 }  // namespace trunk

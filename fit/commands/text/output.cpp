@@ -8,8 +8,6 @@
 #include <cmath>
 #include <csignal>
 
-#include "errors/input_error.hpp"
-
 namespace trunk {
 namespace {
 
@@ -24,10 +22,6 @@ static void note_interrupt(int) {
 }
 
 }  // namespace
-
-Json json_number(double value) {
-  return std::isfinite(value) ? Json(value) : Json(nullptr);
-}
 
 void print_result(const Common& common, const Json& json, const std::string& text) {
   clear_progress();
@@ -54,23 +48,6 @@ void clear_progress() {
 
 std::string shown(double value, const char* format) {
   return std::isfinite(value) ? fmt::format(fmt::runtime(format), value) : "not known";
-}
-
-void require_apart(const std::vector<std::filesystem::path>& inputs,
-                   const std::vector<std::filesystem::path>& outputs) {
-  const auto same = [](const auto& a, const auto& b) {
-    return std::filesystem::weakly_canonical(std::filesystem::absolute(a)) ==
-           std::filesystem::weakly_canonical(std::filesystem::absolute(b));
-  };
-  for (std::size_t i = 0; i < outputs.size(); ++i) {
-    for (const auto& input : inputs)
-      if (same(input, outputs[i]))
-        throw InputError(outputs[i].string(), 0,
-                         "is read by this command, expected another name for the result");
-    for (std::size_t j = 0; j < i; ++j)
-      if (same(outputs[j], outputs[i]))
-        throw InputError(outputs[i].string(), 0, "is named for two results, expected two names");
-  }
 }
 
 std::string aligned(const std::vector<NamedValue>& values) {

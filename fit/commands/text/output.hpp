@@ -1,11 +1,11 @@
 #pragma once
 
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "results/records.hpp"
+#include "subject/json.hpp"
 
 namespace trunk {
 
@@ -19,17 +19,12 @@ enum class Exit {
   interrupted = 130
 };
 
-using Json = nlohmann::ordered_json;
-
 /// Options every command has.
 struct Common {
   std::string argv;  // the command line as typed
   bool json = false;
   bool force = false;
 };
-
-/// Numbers that are not finite become null.
-Json json_number(double value);
 
 /// Prints one JSON object, or the text, to stdout.
 void print_result(const Common& common, const Json& json, const std::string& text);
@@ -41,10 +36,6 @@ void clear_progress();
 
 /// The number as a table shows it: `format` as fmt takes it, "not known" where it is not finite.
 std::string shown(double value, const char* format);
-
-/// A result must not replace what it is made from, nor another result. Throws InputError.
-void require_apart(const std::vector<std::filesystem::path>& inputs,
-                   const std::vector<std::filesystem::path>& outputs);
 
 /// "name   value unit" lines, aligned.
 std::string aligned(const std::vector<NamedValue>& values);

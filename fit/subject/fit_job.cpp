@@ -1,4 +1,4 @@
-#include "commands/fit_job.hpp"
+#include "subject/fit_job.hpp"
 
 #include <fmt/format.h>
 
@@ -22,15 +22,16 @@ MeasuredBreath chosen_breath(const Segmentation& s, const std::string& which,
   std::size_t number = 0;
   const char* end = which.data() + which.size();
   if (std::from_chars(which.data(), end, number).ptr != end || number == 0)
-    throw InputError("--breath " + which + ": expected mean, each or the number of a breath, from 1");
+    throw InputError({"--breath " + which}, "this is no breath",
+                     "mean, each or the number of a breath, from 1");
   const MeasuredBreath breath = single_breath(s, number);
   if (!s.breaths[number - 1].kept)
-    notes.push_back(
-        fmt::format("breath {} would be left out of the mean: {}", number, s.breaths[number - 1].reason));
+    notes.push_back(fmt::format("breath {} would not be part of the mean breath: {}", number,
+                                s.breaths[number - 1].reason));
   return breath;
 }
 
-/// Six digits are more than any trace determines, and stay readable in a scenario file.
+/// Rounds what was fitted to six digits: more than any trace determines, and readable in a scenario file.
 Scenario with_rounded(Scenario scenario, const SearchSpace& space) {
   Candidate c{scenario.parameters, scenario.activation};
   for (std::size_t i = 0; i < space.size(); ++i) {
@@ -60,18 +61,21 @@ FitJob::FitJob(const FitRequest& request, Execution execution, FitListener liste
   if (measurement.breath) file.inputs.emplace_back(request_.trace);
   fit_ = std::make_unique<SubjectFit>(std::move(file), measurement, plan);
   if (each_ && !fit_->space().find("k_muscle"))
-    throw InputError("--breath each: k_muscle is what it fits, expected it among the free parameters");
+    throw InputError({"--breath each"}, "k_muscle is what it fits", "k_muscle among the free parameters");
   read_others();
 }
 
 Measurement FitJob::measured() {
   if (request_.trace.empty() == (request_.tidal_volume_ml == 0.0))
-    throw InputError("expected a measurement: --trace FILE or --tidal-volume-ml ML, one of the two");
+    throw InputError(Place{},
+                     request_.trace.empty() ? "no measurement is named" : "two measurements are named",
+                     "one of the two: --trace FILE or --tidal-volume-ml ML");
   if (request_.trace.empty()) {
     if (!(request_.tidal_volume_ml >= 10.0 && request_.tidal_volume_ml <= 10000.0))
-      throw InputError(
-          fmt::format("--tidal-volume-ml {:g}: expected 10 to 10000 ml", request_.tidal_volume_ml));
-    if (request_.breath == "each") throw InputError("--breath each: expected a trace with breaths");
+      throw InputError({fmt::format("--tidal-volume-ml {:g}", request_.tidal_volume_ml)},
+                       "nobody breathes such a volume", "10 to 10000 ml");
+    if (request_.breath == "each")
+      throw InputError({"--breath each"}, "one number has no breaths", "a trace: --trace FILE");
     return {std::nullopt, 1e-6 * request_.tidal_volume_ml};
   }
   Segmentation s = segment_breaths(read_signal(request_.trace, request_.signal), request_.selection);
@@ -85,10 +89,11 @@ void FitJob::read_others() {
   for (const std::string& path : request_.predict) {
     for (const OtherScenario& o : others_)
       if (short_name(o.file.path) == short_name(path))
-        throw InputError(path, 0, "is predicted beside one of the same name, expected names that differ");
+        throw InputError({path}, "is predicted beside a scenario of the same name", "names that differ");
     others_.push_back(other_scenario(*fit_, path, request_.settings));
     if (!same_geometry(*fit_, others_.back()))
-      notes_.push_back(path + ": its trunk has another shape than the subject's, which is in the prediction");
+      notes_.push_back(path +
+                       ": the trunk has another shape than the subject's; the prediction holds both changes");
   }
 }
 
@@ -102,9 +107,14 @@ FitOutcome FitJob::carry_out() {
   const auto start = std::chrono::steady_clock::now();
   ledger_ = std::make_unique<Ledger>(ledger_file(), fit_->problem_text());
   FitOutcome outcome;
+  outcome.notes = notes_;
   outcome.replayed = ledger_->found();
+  const auto note = [&](const std::string& text) {
+    outcome.notes.push_back(text);
+    listener_.note(text);
+  };
   if (outcome.replayed > 0)
-    listener_.note(fmt::format("goes on from {} simulations of an interrupted run", outcome.replayed));
+    note(fmt::format("the fit goes on from {} simulations of an interrupted run", outcome.replayed));
   Estimation& e = outcome.estimation;
   try {
     e = fit_->carry_out(*ledger_);
@@ -116,7 +126,7 @@ FitOutcome FitJob::carry_out() {
     ledger_->discard();
     throw std::runtime_error("no simulation completed (" + e.search.stop_reason + "): nothing written");
   }
-  for (const std::string& note : e.notes) listener_.note(note);
+  for (const std::string& text : e.notes) note(text);
   if (each_)
     outcome.breaths = refit_each_breath(*fit_, e, *each_, [&](std::size_t done) {
       listener_.progress(fmt::format("fitting: {} breaths", done));
@@ -145,11 +155,6 @@ void FitJob::store(const FitOutcome& outcome, const std::string& argv) {
   write_fit(request_.output, record);
   if (!request_.save_scenario.empty()) save_scenario(request_, with_rounded(best.scenario, fit_->space()));
   ledger_->discard();
-}
-
-Exit exit_of(const Estimation& e) {
-  if (!e.search.converged) return Exit::not_converged;
-  return status_of(e) == "converged" ? Exit::done : Exit::not_identifiable;
 }
 
 }  // namespace trunk

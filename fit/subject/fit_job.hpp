@@ -1,41 +1,31 @@
 #pragma once
 
-#include "commands/options/fit_options.hpp"
-#include "commands/text/output.hpp"
-#include "subject/each_breath.hpp"
-#include "subject/predict.hpp"
+#include "subject/fit_outcome.hpp"
+#include "subject/fit_request.hpp"
 
 namespace trunk {
 
-/// What a fit says while it is at work.
+/// What a fit tells while it is at work.
 struct FitListener {
   std::function<void(const std::string&)> note, progress;
 };
 
-/// All that came of a fit.
-struct FitOutcome {
-  Estimation estimation;
-  std::vector<BreathRefit> breaths;
-  std::vector<Prediction> predictions;
-  std::size_t replayed = 0;  // simulations found from an interrupted run
-  double wall_s = 0.0;
-};
-
-/// One subject's fit from the options to the file: read and checked as a whole, then carried out, then
-/// stored.
+/// One subject's fit from the request to the file. The constructor reads and checks everything, carry_out
+/// fits, store writes.
 class FitJob {
  public:
-  /// Reads all files but changes none. Throws InputError.
+  /// Reads all files and changes none. Throws InputError.
   FitJob(const FitRequest& request, Execution execution, FitListener listener);
 
   const SubjectFit& fit() const noexcept { return *fit_; }
   const std::vector<std::string>& notes() const noexcept { return notes_; }  // on what was read
   std::vector<std::filesystem::path> inputs() const;
 
-  /// Simulations go to a ledger beside the result. Throws Cancelled, and std::runtime_error where no
+  /// Fits. Simulations go to a ledger beside the result. Throws Cancelled, and std::runtime_error if no
   /// simulation completed.
   FitOutcome carry_out();
-  /// Writes the result and whatever else was asked for; the ledger is not needed any more.
+  /// Writes the result, and the fitted scenario if the request names a file for it; removes the ledger.
+  /// `argv` is the command line as typed. Throws InputError.
   void store(const FitOutcome& outcome, const std::string& argv);
 
   std::filesystem::path ledger_file() const { return request_.output + ".ledger"; }
@@ -47,12 +37,10 @@ class FitJob {
   FitRequest request_;
   FitListener listener_;
   std::vector<std::string> notes_;
-  std::optional<Segmentation> each_;  // where every breath is asked for
+  std::optional<Segmentation> each_;  // the breaths, if each is to be fitted
   std::unique_ptr<const SubjectFit> fit_;
   std::vector<OtherScenario> others_;
   std::unique_ptr<Ledger> ledger_;
 };
-
-Exit exit_of(const Estimation& e);
 
 }  // namespace trunk

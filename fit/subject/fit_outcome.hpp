@@ -1,0 +1,18 @@
+#pragma once
+
+#include "subject/each_breath.hpp"
+#include "subject/predict.hpp"
+
+namespace trunk {
+
+/// All that came of the fit of one subject. JSON, tables, text and the result file are each written from it.
+struct FitOutcome {
+  Estimation estimation;
+  std::vector<BreathRefit> breaths;     // empty unless --breath each
+  std::vector<Prediction> predictions;  // in the order in which scenarios were named
+  std::vector<std::string> notes;       // on what was read, then on the fit
+  std::size_t replayed = 0;             // simulations that an interrupted run left in the ledger
+  double wall_s = 0.0;
+};
+
+}  // namespace trunk

@@ -1,0 +1,146 @@
+#include "subject/fit_summary.hpp"
+
+#include "subject/record.hpp"
+
+namespace trunk {
+namespace {
+
+Predicted scaled(const Predicted& p, double scale) {
+  return {scale * p.value, scale * p.median, scale * p.lower95, scale * p.upper95};
+}
+
+double number_from(const Json& json, const char* key) {
+  const Json& value = json.at(key);
+  return value.is_null() ? std::nan("") : value.get<double>();
+}
+
+Json to_json(const Predicted& p) {
+  return {{"value", json_number(p.value)},
+          {"median", json_number(p.median)},
+          {"lower95", json_number(p.lower95)},
+          {"upper95", json_number(p.upper95)}};
+}
+
+Predicted predicted_from(const Json& json) {
+  return {number_from(json, "value"), number_from(json, "median"), number_from(json, "lower95"),
+          number_from(json, "upper95")};
+}
+
+Json to_json(const PredictionSummary& p) {
+  return {{"name", p.name},
+          {"scenario", p.scenario},
+          {"delta_v_ml", to_json(p.delta_v_ml)},
+          {"own_delta_v_ml", to_json(p.own_delta_v_ml)},
+          {"ratio_percent", to_json(p.ratio_percent)},
+          {"draws", p.draws},
+          {"failed", p.failed}};
+}
+
+PredictionSummary prediction_from(const Json& json) {
+  return {json.at("name").get<std::string>(),
+          json.at("scenario").get<std::string>(),
+          predicted_from(json.at("delta_v_ml")),
+          predicted_from(json.at("own_delta_v_ml")),
+          predicted_from(json.at("ratio_percent")),
+          json.at("draws").get<std::size_t>(),
+          json.at("failed").get<int>()};
+}
+
+Estimate estimate_from(const std::string& name, const Json& json) {
+  Estimate e;
+  e.name = name;
+  e.unit = json.at("unit").get<std::string>();
+  e.value = number_from(json, "value");
+  e.stderr_ = number_from(json, "stderr");
+  e.lower95 = number_from(json, "lower95");
+  e.upper95 = number_from(json, "upper95");
+  e.naive95 = {number_from(json, "naive_lower95"), number_from(json, "naive_upper95")};
+  e.identifiable = json.at("identifiable").get<bool>();
+  e.at_bound = json.at("at_bound").get<bool>();
+  return e;
+}
+
+}  // namespace
+
+PredictionSummary summary_of(const Prediction& p) {
+  return {short_name(p.scenario),
+          p.scenario,
+          scaled(p.delta_v_m3, 1e6),
+          scaled(p.own_m3, 1e6),
+          scaled(p.ratio, 100.0),
+          p.delta_v_draws_m3.size(),
+          p.failed};
+}
+
+FitSummary summary_of(const SubjectFit& fit, const FitOutcome& outcome) {
+  const Estimation& e = outcome.estimation;
+  FitSummary s;
+  s.status = status_of(e);
+  if (e.uncertainty) {
+    s.identifiable = e.uncertainty->identifiable;
+    s.parameters = e.uncertainty->parameters;
+    if (!e.uncertainty->ratio.name.empty()) s.ratio = e.uncertainty->ratio;
+  }
+  s.nrmse_percent = 100.0 * e.quality.nrmse;
+  s.baseline_nrmse_percent = 100.0 * e.quality.baseline_nrmse;
+  s.tidal_volume_measured_ml = 1e6 * e.quality.tidal_volume_m3;
+  if (const auto& breath = fit.measurement().breath) {
+    s.breaths_used = breath->breaths_used;
+    s.breaths_rejected = breath->breaths_rejected;
+  }
+  if (!outcome.breaths.empty()) s.median_latency_ms = 1e3 * median_latency_s(outcome.breaths);
+  for (const Prediction& p : outcome.predictions) s.predictions.push_back(summary_of(p));
+  s.verdict = e.uncertainty ? e.uncertainty->verdict : "The search did not converge: " + e.search.stop_reason;
+  s.simulated = e.simulated;
+  return s;
+}
+
+Json to_json(const Estimate& e) {
+  return {{"value", json_number(e.value)},
+          {"unit", e.unit},
+          {"stderr", json_number(e.stderr_)},
+          {"lower95", json_number(e.lower95)},
+          {"upper95", json_number(e.upper95)},
+          {"naive_lower95", json_number(e.naive95.lower)},
+          {"naive_upper95", json_number(e.naive95.upper)},
+          {"identifiable", e.identifiable},
+          {"at_bound", e.at_bound}};
+}
+
+Json to_json(const FitSummary& s) {
+  Json json{{"status", s.status}, {"identifiable", s.identifiable}, {"parameters", Json::object()}};
+  for (const Estimate& p : s.parameters) json["parameters"][p.name] = to_json(p);
+  if (s.ratio) json["ratio"] = to_json(*s.ratio);
+  json["nrmse_percent"] = json_number(s.nrmse_percent);
+  json["baseline_nrmse_percent"] = json_number(s.baseline_nrmse_percent);
+  json["tidal_volume_measured_ml"] = json_number(s.tidal_volume_measured_ml);
+  json["breaths_used"] = s.breaths_used;
+  json["breaths_rejected"] = s.breaths_rejected;
+  if (s.median_latency_ms) json["median_latency_ms"] = *s.median_latency_ms;
+  for (const PredictionSummary& p : s.predictions) json["predictions"].push_back(to_json(p));
+  json["verdict"] = s.verdict;
+  json["simulated"] = s.simulated;
+  return json;
+}
+
+FitSummary summary_from_json(const Json& json) {
+  FitSummary s;
+  s.status = json.at("status").get<std::string>();
+  s.identifiable = json.at("identifiable").get<bool>();
+  for (const auto& [name, estimate] : json.at("parameters").items())
+    s.parameters.push_back(estimate_from(name, estimate));
+  if (json.contains("ratio")) s.ratio = estimate_from("ratio", json["ratio"]);
+  s.nrmse_percent = number_from(json, "nrmse_percent");
+  s.baseline_nrmse_percent = number_from(json, "baseline_nrmse_percent");
+  s.tidal_volume_measured_ml = number_from(json, "tidal_volume_measured_ml");
+  s.breaths_used = json.at("breaths_used").get<int>();
+  s.breaths_rejected = json.at("breaths_rejected").get<int>();
+  if (json.contains("median_latency_ms")) s.median_latency_ms = number_from(json, "median_latency_ms");
+  if (json.contains("predictions"))
+    for (const Json& p : json["predictions"]) s.predictions.push_back(prediction_from(p));
+  s.verdict = json.at("verdict").get<std::string>();
+  s.simulated = json.at("simulated").get<std::size_t>();
+  return s;
+}
+
+}  // namespace trunk

@@ -1,0 +1,30 @@
+#include "traces/read_signal.hpp"
+
+#include "traces/read_trace.hpp"
+
+namespace trunk {
+namespace {
+
+TraceOptions trace_options(const SignalOptions& given) {
+  TraceOptions options;
+  options.time_column = given.time;
+  options.unit = given.unit;
+  options.time_unit = given.time_unit;
+  options.rate_hz = given.rate_hz;
+  if (!given.flow.empty()) options.kind = SignalKind::flow;
+  if (!given.volume.empty()) options.kind = SignalKind::volume;
+  if (!given.belt.empty()) options.kind = SignalKind::belt;
+  options.value_column = given.signal + given.flow + given.volume + given.belt;  // one of them
+  return options;
+}
+
+}  // namespace
+
+Trace read_signal(const std::filesystem::path& path, const SignalOptions& options) {
+  Trace trace = read_trace(path, trace_options(options));
+  if (options.invert)
+    for (double& value : trace.value) value = -value;
+  return trace;
+}
+
+}  // namespace trunk

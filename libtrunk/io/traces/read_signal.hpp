@@ -1,0 +1,22 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "traces/trace.hpp"
+
+namespace trunk {
+
+/// How to read the user's signal: which columns, in which units, with which sign.
+struct SignalOptions {
+  std::string time, signal, flow, volume, belt;  ///< columns; at most one of the last four is given
+  std::string unit, time_unit;
+  double rate_hz = 0;
+  bool invert = false;
+};
+
+/// Returns the trace, with the sign of its values changed if `options.invert`; throws InputError as
+/// read_trace.
+Trace read_signal(const std::filesystem::path& path, const SignalOptions& options);
+
+}  // namespace trunk
