@@ -14,11 +14,11 @@ namespace trunk {
 namespace {
 
 struct CheckRequest {
-  FitRequest fit;  // of which a check looks at all but the search
+  FitRequest fit;  // a check looks at all of it but the search
   bool keys = false;
 };
 
-/// What a check gathers; all of the mistakes are told, not only the first.
+/// What a check gathers. All mistakes are printed, not only the first.
 struct Findings {
   Mistakes mistakes;
   std::vector<std::string> notes;
@@ -70,7 +70,7 @@ std::optional<ScenarioFile> check_scenario(const CheckRequest& request, Findings
     findings.json["stable_dt_s"] = json_number(bound_s);
     if (!file->scenario.automatic_step) findings.json["steps"] = time.steps();
     const std::string steps = file->scenario.automatic_step
-                                  ? std::string("a time step yet to be chosen")
+                                  ? std::string("a time step that trunk chooses")
                                   : fmt::format("{} steps of {:g} ms", time.steps(), 1e3 * time.dt_s);
     findings.text += fmt::format("{}: good. {} particles, {} (stable below {:.3g} ms)\n",
                                  request.fit.scenario, trunk.model.particles(), steps, 1e3 * bound_s);
@@ -78,13 +78,13 @@ std::optional<ScenarioFile> check_scenario(const CheckRequest& request, Findings
   return file;
 }
 
-/// What a fit would go on with all the same, and the user should know (bounds are our choice).
+/// Adds notes on what a fit accepts and the user should know (the bounds are our choice).
 void note_doubts(const MeasuredBreath& breath, const Trace& trace, std::vector<std::string>& notes) {
   constexpr int few_breaths = 3;
   constexpr double deep_m3 = 2e-3, few_samples = 10;
   if (breath.breaths_used < few_breaths)
-    notes.push_back(fmt::format(
-        "{} breath(s) used: the spread from breath to breath is not known from so few", breath.breaths_used));
+    notes.push_back(fmt::format("{} breath(s) used: so few do not show the spread from breath to breath",
+                                breath.breaths_used));
   if (breath.tidal_volume_m3 > deep_m3)
     notes.push_back(
         fmt::format("a tidal volume of {:.0f} ml is beyond what the model was made for (quiet breathing "
@@ -93,8 +93,8 @@ void note_doubts(const MeasuredBreath& breath, const Trace& trace, std::vector<s
   const double step_s =
       (trace.time_s.back() - trace.time_s.front()) / static_cast<double>(trace.time_s.size() - 1);
   if (breath.inspiration_s < few_samples * step_s)
-    notes.push_back(
-        fmt::format("{:.1f} samples an inspiration: too few for its timing", breath.inspiration_s / step_s));
+    notes.push_back(fmt::format("{:.1f} samples per inspiration are too few for its timing",
+                                breath.inspiration_s / step_s));
 }
 
 void check_trace(const CheckRequest& request, Findings& findings) {

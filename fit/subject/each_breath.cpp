@@ -8,11 +8,11 @@
 namespace trunk {
 namespace {
 
-/// The plan of a single breath: k_muscle alone is asked for.
+/// Returns the plan for a single breath, of which k_muscle alone is fitted.
 FitPlan plan_of_breath(const SubjectFit& fit, const Candidate& best) {
   FitPlan plan = fit.plan();
   plan.free = {"k_muscle"};
-  for (std::string& text : plan.fixed) {  // no file is read again
+  for (std::string& text : plan.fixed) {  // as values, so that no file is read again
     const std::string name = text.substr(0, text.find('='));
     text = fmt::format("{}={:.17g}", name, value_of(free_parameter(name), best));
   }
@@ -25,7 +25,7 @@ FitPlan plan_of_breath(const SubjectFit& fit, const Candidate& best) {
   options.starts = 1;
   options.cross_check = options.profiles = false;
   options.surface_points = options.bootstrap = 0;
-  // Where the sum of squares is this flat, k_muscle is within a twentieth of its standard error.
+  // Once the sum of squares is this flat, k_muscle is within a twentieth of its standard error.
   options.search.objective_tolerance = 1e-5;
   options.execution.progress = {};
   return plan;

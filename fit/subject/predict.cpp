@@ -17,9 +17,9 @@ namespace trunk {
 namespace {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-constexpr std::size_t fewest_draws = 16;  // that a percentile of 2.5 % can be read from
+constexpr std::size_t fewest_draws = 16;  // fewer give no percentile of 2.5 % (our choice)
 
-/// The best point, then the draws.
+/// Returns the best point, then the draws.
 std::vector<Candidate> candidates_of(const SearchSpace& space, const Estimation& e, int draws,
                                      unsigned seed) {
   std::vector<Candidate> result = {e.best};
@@ -41,7 +41,7 @@ std::vector<Candidate> candidates_of(const SearchSpace& space, const Estimation&
   return result;
 }
 
-/// Of several candidates, side by side.
+/// Returns the tidal volume of each candidate, m3; NaN if its simulation failed.
 std::vector<double> tidal_volumes(const Trunk& trunk, std::span<const Candidate> candidates,
                                   const TimeGrid& grid) {
   std::vector<double> volumes;
@@ -56,7 +56,7 @@ struct DrawAt {
   const TimeGrid& grid;
 };
 
-/// The tidal volume of every candidate in every place: [places][candidates].
+/// Returns the tidal volume of every candidate in every place, m3: [places][candidates].
 std::vector<std::vector<double>> all_volumes(const std::vector<DrawAt>& places,
                                              const std::vector<Candidate>& candidates,
                                              const Execution& execution) {
@@ -83,7 +83,7 @@ std::vector<std::vector<double>> all_volumes(const std::vector<DrawAt>& places,
   return volumes;
 }
 
-/// All but the first: the best point.
+/// Returns all values but the first, which belongs to the best point.
 std::vector<double> draws_of(const std::vector<double>& values) {
   return {values.begin() + 1, values.end()};
 }

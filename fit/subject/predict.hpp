@@ -25,20 +25,21 @@ struct OtherScenario {
   Trunk trunk;
 };
 
-/// Reads a scenario and makes it breathe as the subject does: the parameters, the activation and the duration
-/// are those of the fit; paralysis, loads and everything else its own. `settings` go over it as over the
-/// fit's. Throws InputError.
+/// Reads a scenario and makes it breathe as the subject does: parameters, activation and duration are those
+/// of the fit; paralysis, loads and everything else are its own. `settings` are put over it as over the
+/// scenario of the fit. Throws InputError.
 OtherScenario other_scenario(const SubjectFit& fit, const std::filesystem::path& path,
                              const std::vector<std::string>& settings);
 
-/// Whether its trunk has the shape of the subject's.
+/// Returns whether the other trunk has the shape of the subject's at rest, to a micrometre.
 bool same_geometry(const SubjectFit& fit, const OtherScenario& other);
 
-/// Carries the uncertainty of a fit through to other scenarios. Parameters are drawn from Student's t around
-/// the best point, with the covariance and freedom of the intervals (a shifted Sobol sequence, our choice:
-/// smoother percentiles than random numbers give), kept within the bounds, and simulated in every scenario.
-/// No draws where the fit has no covariance, or none are asked for. The interval covers what the fit covers:
-/// the noise of the trace, not the error of the model. Throws Cancelled.
+/// Simulates other scenarios with the fitted parameters, and with draws of them to carry the uncertainty
+/// along. Parameters are drawn from Student's t around the best point, with the covariance and the degrees of
+/// freedom of the fit's intervals (a shifted Sobol sequence, our choice: its percentiles are smoother than
+/// those of random numbers), kept within the bounds. There are no draws if the fit has no covariance or
+/// `draws` is 0. The interval covers what the fit's intervals cover: the noise of the trace, not the error of
+/// the model. Throws Cancelled.
 std::vector<Prediction> predict(const SubjectFit& fit, const Estimation& e,
                                 const std::vector<OtherScenario>& others, int draws);
 

@@ -7,39 +7,40 @@
 
 namespace trunk {
 
-/// Where the activation's timing comes from: estimated along with the parameters, from the trace as a start;
-/// from the trace by a one-compartment model and then held; from the scenario.
+/// Where the activation's timing comes from. joint: it is estimated along with the parameters and starts from
+/// the trace; trace: a one-compartment model takes it from the trace, and it is held; scenario: it is the
+/// scenario's.
 enum class Timing { joint, trace, scenario };
 
-/// What a user asks of the fit of one subject.
+/// How one subject is fitted.
 struct FitPlan {
   std::vector<std::string> free;   // names; empty: k_elasticity and k_muscle (one number: k_muscle)
   std::vector<std::string> fixed;  // name=value or name=@file.h5
   std::vector<Prior> priors;
   Timing timing = Timing::joint;
-  bool weighted = false;  // by the breath's own deviation of each sample
+  bool weighted = false;  // samples count by the deviation that the breath gives them
   EstimationOptions estimation;
 };
 
-/// What a subject brings: a measured breath, or its tidal volume alone.
+/// What was measured of a subject: a breath, or its tidal volume alone.
 struct Measurement {
   std::optional<MeasuredBreath> breath;
   double tidal_volume_m3 = 0.0;
 };
 
-/// A fit ready to be carried out. Not to be moved: its parts refer to each other.
+/// A fit that is ready to be carried out. It cannot be moved, because its parts refer to each other.
 class SubjectFit {
  public:
-  /// Takes the timing from the breath, applies what is fixed (files go to file.inputs), sets up the search.
-  /// Throws InputError on anything that makes no sense.
+  /// Takes the timing from the breath, sets the fixed parameters (their files go to file.inputs) and sets up
+  /// the search. Throws InputError if the plan contradicts itself or the scenario.
   SubjectFit(ScenarioFile file, Measurement measurement, FitPlan plan);
   SubjectFit(const SubjectFit&) = delete;
 
-  /// All that a simulation depends on beside the candidate, for the ledger.
+  /// Returns all that a simulation depends on beside the candidate, as a key for the ledger.
   std::string problem_text() const;
   Estimation carry_out(Ledger& ledger) const;
 
-  /// The scenario with the best parameters.
+  /// Returns the scenario with the best parameters.
   ScenarioFile fitted(const Estimation& e) const;
 
   const ScenarioFile& file() const noexcept { return file_; }
@@ -59,7 +60,7 @@ class SubjectFit {
   std::size_t timed_ = 0;
 };
 
-/// "converged", "not_identifiable" or "not_converged", as in `fit --json`.
+/// Returns "converged", "not_identifiable" or "not_converged", as `fit --json` prints it.
 std::string status_of(const Estimation& e);
 
 }  // namespace trunk

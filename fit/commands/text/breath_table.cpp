@@ -10,7 +10,7 @@
 namespace trunk {
 namespace {
 
-/// The units that volumes of a trace are shown in.
+/// The units in which the volumes of a trace are shown.
 struct ShownUnits {
   bool calibrated;
   double volume(double m3) const { return calibrated ? 1e6 * m3 : m3; }
@@ -26,7 +26,7 @@ struct BreathMeasure {
   double value;
 };
 
-/// What is measured of a breath, in one order everywhere.
+/// Returns the measures of a breath, always in the same order.
 std::vector<BreathMeasure> measures_of(const Breath& b, const ShownUnits& units) {
   return {{"inspiration_s", b.inspiration_s()},
           {"expiration_s", b.expiration_s()},
@@ -45,7 +45,7 @@ std::vector<Breath> kept_of(const Segmentation& s) {
   return kept;
 }
 
-/// Column by column over some breaths (at least one).
+/// Returns the median of each measure over some breaths (at least one).
 std::vector<BreathMeasure> medians_of(const std::vector<Breath>& breaths, const ShownUnits& units) {
   std::vector<BreathMeasure> medians = measures_of(breaths.front(), units);
   for (std::size_t column = 0; column < medians.size(); ++column) {
