@@ -19,8 +19,8 @@ struct BreathRefit {
 /// Fits k_muscle alone to each kept breath (the paper's second stage), by Levenberg-Marquardt. All other
 /// mechanical parameters stay as `e` found them for the mean breath. The plan of `fit` gives the timing of
 /// each breath: from the trace, estimated along with k_muscle, or from the scenario. A search starts at the
-/// k_muscle of the breath before, times the ratio of the tidal volumes. A breath that fails is a row that says why. `report` is called with the number of breaths done.
-/// Throws Cancelled.
+/// k_muscle of the breath before, times the ratio of the tidal volumes. A breath that fails is a row that
+/// says why. `report` is called with the number of breaths done. Throws Cancelled.
 std::vector<BreathRefit> refit_each_breath(const SubjectFit& fit, const Estimation& e,
                                            const Segmentation& segmentation,
                                            const std::function<void(std::size_t)>& report = {});
