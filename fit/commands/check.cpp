@@ -6,6 +6,7 @@
 #include "commands/commands.hpp"
 #include "commands/options/fit_options.hpp"
 #include "dynamics/stability.hpp"
+#include "math/units.hpp"
 #include "scenarios/build_trunk.hpp"
 #include "scenarios/keys.hpp"
 #include "subject/check_fit.hpp"
@@ -89,7 +90,7 @@ void note_doubts(const MeasuredBreath& breath, const Trace& trace, std::vector<s
     notes.push_back(
         fmt::format("a tidal volume of {:.0f} ml is beyond what the model was made for (quiet breathing "
                     "and exercise up to 2000 ml)",
-                    1e6 * breath.tidal_volume_m3));
+                    ml_per_m3 * breath.tidal_volume_m3));
   const double step_s =
       (trace.time_s.back() - trace.time_s.front()) / static_cast<double>(trace.time_s.size() - 1);
   if (breath.inspiration_s < few_samples * step_s)
@@ -105,11 +106,11 @@ void check_trace(const CheckRequest& request, Findings& findings) {
     findings.notes.insert(findings.notes.end(), segmentation.notes.begin(), segmentation.notes.end());
     note_doubts(breath, trace, findings.notes);
     findings.json["breaths_used"] = breath.breaths_used;
-    findings.json["tidal_volume_ml"] = 1e6 * breath.tidal_volume_m3;
+    findings.json["tidal_volume_ml"] = ml_per_m3 * breath.tidal_volume_m3;
     findings.text +=
         fmt::format("{}: good. {} breaths used, {} rejected, tidal volume {:.0f} ml, {:.2f} s a breath\n",
                     request.fit.trace, breath.breaths_used, breath.breaths_rejected,
-                    1e6 * breath.tidal_volume_m3, breath.duration_s);
+                    ml_per_m3 * breath.tidal_volume_m3, breath.duration_s);
   });
 }
 

@@ -8,6 +8,7 @@
 
 #include "errors/input_error.hpp"
 #include "files/replace_file.hpp"
+#include "math/units.hpp"
 #include "records/fit_record.hpp"
 #include "records/provenance.hpp"
 #include "results/write/write_fit.hpp"
@@ -76,7 +77,7 @@ Measurement FitJob::measured() {
                        "nobody breathes such a volume", "10 to 10000 ml");
     if (request_.breath == "each")
       throw InputError({"--breath each"}, "one number has no breaths", "a trace: --trace FILE");
-    return {std::nullopt, 1e-6 * request_.tidal_volume_ml};
+    return {std::nullopt, m3_per_ml * request_.tidal_volume_ml};
   }
   Segmentation s = segment_breaths(read_signal(request_.trace, request_.signal), request_.selection);
   notes_ = s.notes;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "math/units.hpp"
 #include "records/fit_record.hpp"
 #include "subject/fit_summary.hpp"
 
@@ -81,7 +82,7 @@ Json breaths_json(const std::vector<BreathRefit>& breaths) {
   for (const BreathRefit& b : breaths) {
     Json row{{"number", b.number},
              {"onset_s", b.onset_s},
-             {"tidal_volume_ml", 1e6 * b.tidal_volume_m3},
+             {"tidal_volume_ml", ml_per_m3 * b.tidal_volume_m3},
              {"status", b.status},
              {"k_muscle",
               {{"value", json_number(b.muscle.value)},

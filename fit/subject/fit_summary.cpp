@@ -1,5 +1,6 @@
 #include "subject/fit_summary.hpp"
 
+#include "math/units.hpp"
 #include "subject/record.hpp"
 
 namespace trunk {
@@ -65,8 +66,8 @@ Estimate estimate_from(const std::string& name, const Json& json) {
 PredictionSummary summary_of(const Prediction& p) {
   return {short_name(p.scenario),
           p.scenario,
-          scaled(p.delta_v_m3, 1e6),
-          scaled(p.own_m3, 1e6),
+          scaled(p.delta_v_m3, ml_per_m3),
+          scaled(p.own_m3, ml_per_m3),
           scaled(p.ratio, 100.0),
           p.delta_v_draws_m3.size(),
           p.failed};
@@ -83,7 +84,7 @@ FitSummary summary_of(const SubjectFit& fit, const FitOutcome& outcome) {
   }
   s.nrmse_percent = 100.0 * e.quality.nrmse;
   s.baseline_nrmse_percent = 100.0 * e.quality.baseline_nrmse;
-  s.tidal_volume_measured_ml = 1e6 * e.quality.tidal_volume_m3;
+  s.tidal_volume_measured_ml = ml_per_m3 * e.quality.tidal_volume_m3;
   if (const auto& breath = fit.measurement().breath) {
     s.breaths_used = breath->breaths_used;
     s.breaths_rejected = breath->breaths_rejected;

@@ -16,9 +16,7 @@ double stored_value(const std::filesystem::path& source, const std::string& name
   try {
     parameters = read_parameters(source);
   } catch (const InputError& error) {
-    Mistake mistake = error.mistake();
-    mistake.named_in = option;
-    throw InputError(mistake);
+    rethrow_named_in(option, error);
   }
   for (const NamedValue& v : parameters)
     if (v.name == name) return v.value;

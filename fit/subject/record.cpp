@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "math/median.hpp"
+#include "math/units.hpp"
 #include "subject/fit_summary.hpp"
 
 namespace trunk {
@@ -38,7 +39,7 @@ void add_breaths(const std::vector<BreathRefit>& breaths, FitRecord& record) {
   using B = BreathRefit;
   column("number", "1", [](const B& b) { return static_cast<double>(b.number); });
   column("onset_s", "s", [](const B& b) { return b.onset_s; });
-  column("tidal_volume_ml", "ml", [](const B& b) { return 1e6 * b.tidal_volume_m3; });
+  column("tidal_volume_ml", "ml", [](const B& b) { return ml_per_m3 * b.tidal_volume_m3; });
   column("k_muscle", "N/m", [](const B& b) { return b.muscle.value; });
   column("k_muscle_stderr", "N/m", [](const B& b) { return b.muscle.stderr_; });
   column("k_muscle_lower95", "N/m", [](const B& b) { return b.muscle.lower95; });

@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "math/median.hpp"
+#include "math/units.hpp"
 
 namespace trunk {
 namespace {
@@ -13,7 +14,7 @@ namespace {
 /// The units in which the volumes of a trace are shown.
 struct ShownUnits {
   bool calibrated;
-  double volume(double m3) const { return calibrated ? 1e6 * m3 : m3; }
+  double volume(double m3) const { return calibrated ? ml_per_m3 * m3 : m3; }
   double ventilation(double m3_s) const { return calibrated ? 60e3 * m3_s : 60 * m3_s; }
   std::string volume_key(const std::string& name) const { return name + (calibrated ? "_ml" : "_au"); }
   std::string ventilation_key() const {

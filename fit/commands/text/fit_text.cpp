@@ -7,6 +7,7 @@
 
 #include "commands/text/outcome_text.hpp"
 #include "commands/text/output.hpp"
+#include "math/units.hpp"
 
 namespace trunk {
 namespace {
@@ -56,13 +57,13 @@ std::string fit_table(const SubjectFit& fit, const FitOutcome& outcome) {
   std::string text;
   if (const auto& breath = fit.measurement().breath)
     text += fmt::format("{} breaths used, {} rejected; tidal volume {:.0f} ml, {:.2f} s a breath\n",
-                        breath->breaths_used, breath->breaths_rejected, 1e6 * breath->tidal_volume_m3,
+                        breath->breaths_used, breath->breaths_rejected, ml_per_m3 * breath->tidal_volume_m3,
                         breath->duration_s);
   text += estimates_table(e);
   text += fmt::format(
       "  residual {:.2f} % of tidal volume (one-compartment model: {:.2f} %), tidal volume {:+.1f} ml, peak "
       "{:+.3f} s\n",
-      100.0 * e.quality.nrmse, 100.0 * e.quality.baseline_nrmse, 1e6 * e.quality.tidal_volume_error_m3,
+      100.0 * e.quality.nrmse, 100.0 * e.quality.baseline_nrmse, ml_per_m3 * e.quality.tidal_volume_error_m3,
       e.quality.peak_time_error_s);
   const auto& a = e.best.activation;
   text += fmt::format(

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "commands/text/output.hpp"
+#include "math/units.hpp"
 #include "subject/fit_summary.hpp"
 #include "subject/record.hpp"
 
@@ -26,7 +27,7 @@ std::string breaths_table(const std::vector<BreathRefit>& breaths) {
   for (const BreathRefit& b : breaths)
     text +=
         fmt::format("  {:>6} {:>9.2f} {:>9.0f}  {:>12}  {:>20}  {:>10}  {:>11}  {:>4.0f}{}\n", b.number,
-                    b.onset_s, 1e6 * b.tidal_volume_m3, shown(b.muscle.value, "{:.4g}"),
+                    b.onset_s, ml_per_m3 * b.tidal_volume_m3, shown(b.muscle.value, "{:.4g}"),
                     shown(b.muscle.lower95, "{:.4g}") + " to " + shown(b.muscle.upper95, "{:.4g}"),
                     shown(100.0 * b.nrmse, "{:.2f}"), b.evaluations, 1e3 * b.latency_s,
                     b.status == "converged" ? "" : "  " + b.status + (b.error.empty() ? "" : ": " + b.error));

@@ -10,7 +10,7 @@ using Texts = std::vector<std::string>;
 
 namespace {
 
-Mistake mistake_in(const std::string& text) {
+Mistake mistake_in_list(const std::string& text) {
   const TemporaryFolder folder;
   try {
     read_cohort_list(folder.write("list.csv", text));
@@ -42,22 +42,22 @@ TEST_CASE("A list gives its columns, and a row of cells to each subject", "[unit
 
 TEST_CASE("A list that cannot be used is refused with its line", "[unit]") {
   const auto at = [](std::size_t line) { return Place{"list.csv", line}; };
-  CHECK(mistake_in("trace\na.csv\n").at == at(1));
-  CHECK(mistake_in("subject,trace\n").found == "the list names no subject");
-  CHECK(mistake_in("subject,trace,trace\nA,a,b\n").found == "column 'trace' stands twice");
-  const Mistake twice = mistake_in("subject,trace\nA,a.csv\nB,b.csv\nA,c.csv\n");
+  CHECK(mistake_in_list("trace\na.csv\n").at == at(1));
+  CHECK(mistake_in_list("subject,trace\n").found == "the list names no subject");
+  CHECK(mistake_in_list("subject,trace,trace\nA,a,b\n").found == "column 'trace' stands twice");
+  const Mistake twice = mistake_in_list("subject,trace\nA,a.csv\nB,b.csv\nA,c.csv\n");
   CHECK(twice.at == at(4));
   CHECK(twice.found == "subject 'A' stands in line 2 as well");
-  CHECK(mistake_in("subject,trace\nA,a.csv\n,b.csv\n").found == "this row names no subject");
+  CHECK(mistake_in_list("subject,trace\nA,a.csv\n,b.csv\n").found == "this row names no subject");
 }
 
 TEST_CASE("A subject must be able to name a file that no spreadsheet takes for a formula", "[unit]") {
   for (const std::string name : {"a/b", "a\\b", "../a", ".a", "-a", "+a", "=a", "@a", "cohort", "a\x01"}) {
     INFO(name);
-    const Mistake mistake = mistake_in("subject,trace\nA,a.csv\n" + name + ",b.csv\n");
+    const Mistake mistake = mistake_in_list("subject,trace\nA,a.csv\n" + name + ",b.csv\n");
     CHECK(mistake.at == Place{"list.csv", 3});
     CHECK(mistake.found.find("cannot name a result file") != std::string::npos);
   }
-  CHECK(mistake_in("subject,trace\n" + std::string(101, 'a') + ",a.csv\n").at == Place{"list.csv", 2});
-  CHECK(mistake_in("subject,trace\n" + std::string(100, 'a') + ",a.csv\n").found == "no error");
+  CHECK(mistake_in_list("subject,trace\n" + std::string(101, 'a') + ",a.csv\n").at == Place{"list.csv", 2});
+  CHECK(mistake_in_list("subject,trace\n" + std::string(100, 'a') + ",a.csv\n").found == "no error");
 }

@@ -11,7 +11,7 @@ using Names = std::vector<std::string>;
 
 namespace {
 
-Mistake mistake_in(const std::string& text) {
+Mistake mistake_in_fix(const std::string& text) {
   try {
     fixed_parameter(text);
   } catch (const InputError& error) {
@@ -37,7 +37,7 @@ TEST_CASE("A parameter is fixed at its value in a result file", "[unit]") {
   CHECK(fixed.value == 500.0);
   CHECK(fixed.source == file);
 
-  const Mistake absent = mistake_in("damping=@" + file);  // the file has no such parameter
+  const Mistake absent = mistake_in_fix("damping=@" + file);  // the file has no such parameter
   CHECK(absent.at == Place{"--fix damping=@" + file});
   CHECK(absent.found == file + " holds no value of damping");
 }
@@ -45,7 +45,7 @@ TEST_CASE("A parameter is fixed at its value in a result file", "[unit]") {
 TEST_CASE("A file that cannot be read is named with the option that names it", "[unit]") {
   const TemporaryFolder folder;
   const std::string file = (folder / "none.h5").string();
-  const Mistake mistake = mistake_in("k_muscle=@" + file);
+  const Mistake mistake = mistake_in_fix("k_muscle=@" + file);
   CHECK(mistake.at == Place{file});
   CHECK(mistake.named_in == Place{"--fix k_muscle=@" + file});
 }
@@ -59,12 +59,12 @@ TEST_CASE("What fixes no parameter is refused with the option as it was typed", 
                                     {"k_elasticity=nan", "nan N/m is out of bounds"},
                                     {"k_elasticity=-4000", "-4000 N/m is out of bounds"}}) {
     INFO(text);
-    const Mistake mistake = mistake_in(text);
+    const Mistake mistake = mistake_in_fix(text);
     CHECK(mistake.at == Place{std::string("--fix ") + text});
     CHECK(mistake.found == found);
     CHECK_FALSE(mistake.expected.empty());
   }
-  CHECK(mistake_in("k_elasticity=16001").expected == "400 to 16000 N/m");
+  CHECK(mistake_in_fix("k_elasticity=16001").expected == "400 to 16000 N/m");
   CHECK_THROWS_AS(fixed_parameter("strength=3"), InputError);
 }
 
