@@ -45,7 +45,7 @@ Prior prior_of(const std::string& text) {
   };
   const auto equals = text.find('=');
   if (equals == std::string::npos) throw refuse("there is no '='");
-  const FreeParameter& p = free_parameter(text.substr(0, equals));
+  const FreeParameter& p = free_parameter(text.substr(0, equals), {"--prior " + text});
   const std::string value = text.substr(equals + 1);
   if (value == "none") return {std::string(p.name), {}, 0.0};
   const auto colon = value.find(':');

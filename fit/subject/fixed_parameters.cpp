@@ -40,7 +40,7 @@ FixedParameter fixed_parameter(const std::string& text) {
   const auto equals = text.find('=');
   if (equals == std::string::npos) throw InputError(option, "no value is given", expected);
   const std::string name = text.substr(0, equals), value = text.substr(equals + 1);
-  FixedParameter fixed{&free_parameter(name), 0.0, {}};
+  FixedParameter fixed{&free_parameter(name, option), 0.0, {}};
   if (value.starts_with('@')) {
     fixed.source = value.substr(1);
     fixed.value = stored_value(*fixed.source, name, option);

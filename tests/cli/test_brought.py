@@ -85,7 +85,7 @@ class AllAtOnce(TrunkTest):
         command = ("check", "s.toml", "--trace", "t.csv", "--free", "k_muscle,beauty", "--fix", "k_muscle=3")
         expected = (r"s.toml:1: title is 3", r"s.toml:3: time.dt_ms is 0", r"s.toml:6: tissue.ribs is .*yes",
                     r"t.csv:1: no time column", r"t.csv:1: no volume or flow column",
-                    "there is no parameter 'beauty'", "parameter 'k_muscle' is both free and fixed")
+                    "--free beauty: there is no parameter 'beauty'", "parameter 'k_muscle' is both free and fixed")
         outcome = self.trunk(*command)
         self.assertEqual((outcome.code, outcome.out), (2, ""), str(outcome))
         self.assertEqual(len(outcome.err.splitlines()), len(expected), str(outcome))
@@ -96,7 +96,7 @@ class AllAtOnce(TrunkTest):
         found = outcome.json()
         self.assertEqual(found["schema"], "trunk.check/1")
         self.assertEqual([(p["file"], p["line"]) for p in found["problems"]],
-                         [("s.toml", 1), ("s.toml", 3), ("s.toml", 6), ("t.csv", 1), ("t.csv", 1), (None, None), (None, None)])
+                         [("s.toml", 1), ("s.toml", 3), ("s.toml", 6), ("t.csv", 1), ("t.csv", 1), ("--free beauty", None), (None, None)])
         self.assertRegex(found["problems"][1]["text"], r"\Atime.dt_ms is 0; expected")
 
     def test_other_commands_name_the_first_and_how_many(self):

@@ -221,7 +221,7 @@ class Cohort(TrunkTest):
         self.file("in/b.csv", trace(tidal_ml=500))  # another trace under the same name
         changed = self.cohort(codes=(3,))
         self.assertEqual([s["status"] == "failed" for s in changed["subjects"]], [False, True])
-        self.assertRegex(changed["subjects"][1]["error"], "d/B.h5: is another fit .*--force")
+        self.assertRegex(changed["subjects"][1]["error"], "d/B.h5: is another fit: .*; delete it, or give --force")
         self.list("subject,trace,fix\nA,a.csv,k_elasticity=3000\nB,b.csv,\n")  # another option in the row
         self.assertEqual(self.cohort(codes=(2,))["failed"], 2)
         self.list("subject,trace\nA,a.csv\nB,b.csv\n")  # other options for all

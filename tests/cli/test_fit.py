@@ -83,7 +83,7 @@ class Fit(TrunkTest):
     def test_names_and_values_that_are_wrong(self):
         for options, says in ((("--free", "strength"), "'strength'.*; expected one of k_elasticity, k_muscle"),
                               (("--free", "k_muscle,k_muscle"), "'k_muscle'.* twice"),
-                              (("--fix", "strength=3"), "'strength'.* expected one of"),
+                              (("--fix", "strength=3"), "--fix strength=3: .*'strength'.*; expected one of"),
                               (("--fix", "k_elasticity"), "expected name=value"),
                               (("--fix", "k_elasticity=soft"), "k_elasticity=soft: 'soft' is not a number; expected name=value"),
                               (("--fix", "k_elasticity=-4000"), "--fix k_elasticity=-4000: -4000 N/m is out of bounds; expected 400 to 16000 N/m"),

@@ -65,7 +65,8 @@ TEST_CASE("What fixes no parameter is refused with the option as it was typed", 
     CHECK_FALSE(mistake.expected.empty());
   }
   CHECK(mistake_in_fix("k_elasticity=16001").expected == "400 to 16000 N/m");
-  CHECK_THROWS_AS(fixed_parameter("strength=3"), InputError);
+  CHECK(mistake_in_fix("strength=3").at == Place{"--fix strength=3"});
+  CHECK(mistake_in_fix("strength=3").found.find("'strength'") != std::string::npos);
 }
 
 TEST_CASE("What is fixed is not fitted", "[unit]") {
