@@ -6,7 +6,8 @@
 
 namespace trunk {
 
-/// Each adds one subcommand to the program. When it is chosen, `run` is set to what does its work.
+/// Each of these adds one command to the program. If the user chooses the command, `run` becomes what does
+/// its work.
 using Run = std::function<Exit()>;
 void add_simulate(CLI::App& app, Common& common, Run& run);
 void add_check(CLI::App& app, Common& common, Run& run);
@@ -23,8 +24,14 @@ void add_export(CLI::App& app, Common& common, Run& run);
 void add_register(CLI::App& app, Common& common, Run& run);
 void add_compare(CLI::App& app, Common& common, Run& run);
 void add_report(CLI::App& app, Common& common, Run& run);
+void add_help(CLI::App& app, Common& common, Run& run);
 
-/// A finite number from lowest to highest, for an option; CLI11's own Range lets NaN pass.
+/// Add the flag that nearly every command has. `text` says what --force replaces.
+void add_json_flag(CLI::App& command, Common& common);
+void add_force_flag(CLI::App& command, Common& common, const std::string& text);
+
+/// Returns "" if the text of an option is a number from lowest to highest, else what is wrong with it. Unlike
+/// CLI11's Range, it refuses NaN.
 std::string require_within(const std::string& text, double lowest, double highest);
 inline auto within(double lowest, double highest) {
   return [=](const std::string& text) { return require_within(text, lowest, highest); };

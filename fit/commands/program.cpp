@@ -1,14 +1,17 @@
+#include "commands/program.hpp"
+
 #include <fmt/format.h>
 #include <gsl/gsl_errno.h>
 
 #include <csignal>
-#include <cstdio>
 
 #include "commands/commands.hpp"
-#include "commands/program.hpp"
-#include "errors/input_error.hpp"
+#include "commands/help/help_text.hpp"
+#include "commands/help/topics.hpp"
+#include "commands/help/usage_mistake.hpp"
 #include "records/provenance.hpp"
 
+namespace trunk {
 namespace {
 
 std::string joined(int argc, char** argv) {
@@ -17,72 +20,113 @@ std::string joined(int argc, char** argv) {
   return text;
 }
 
-/// CLI11's own messages can span lines; the program promises one.
-int report_usage(const CLI::App& app, const CLI::ParseError& error) {
-  if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
-  std::string text = error.what();
-  if (app.get_subcommands().empty() && !app.remaining().empty()) {
-    text = "unknown command '" + app.remaining().front() + "', expected one of";
-    for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
-      text += " " + command->get_name();
+/// The heading under which the program's help lists some commands, and what adds them.
+struct CommandGroup {
+  const char* heading;
+  std::vector<void (*)(CLI::App&, Common&, Run&)> add;
+};
+
+/// `help` comes last: it describes the commands that are there when it is added.
+const std::vector<CommandGroup>& command_groups() {
+  static const std::vector<CommandGroup> groups{
+      {"Look before you fit", {&add_check, &add_breaths}},
+      {"Fit and simulate", {&add_fit, &add_simulate, &add_register}},
+      {"Many simulations", {&add_sweep, &add_status, &add_merge}},
+      {"Look at results", {&add_inspect, &add_report, &add_compare, &add_export}},
+      {"Check results", {&add_diff, &add_replay, &add_validate}},
+      {"Help", {&add_help}}};
+  return groups;
+}
+
+std::string program_notes() {
+  std::string text = "Topics, for `trunk help TOPIC`:\n";
+  for (const Topic& topic : topics()) text += fmt::format("  {:<26}  {}\n", topic.name, topic.summary);
+  return text +
+         "\n"
+         "Exit codes:\n"
+         "  0    The command did its work.\n"
+         "  1    `diff` or `replay` found a difference.\n"
+         "  2    The input or the command line cannot be used.\n"
+         "  3    A simulation diverged, a fit did not converge, or a bound does not hold.\n"
+         "  4    The fit converged, but a free parameter is not identifiable.\n"
+         "  130  You interrupted the command.";
+}
+
+void add_commands(CLI::App& app, Common& common, Run& run) {
+  app.name("trunk");
+  app.description(
+      "Fits a mechanical model of the human trunk to lung-volume traces. It also simulates the model, alone "
+      "or "
+      "over many parameters.");
+  app.require_subcommand(1);
+  app.set_help_flag("-h,--help", "Prints this help.");
+  app.set_version_flag("--version", version_text(),
+                       "Prints the version of the program, and of the libraries it uses.");
+  app.footer(program_notes());
+  for (const CommandGroup& group : command_groups())
+    for (const auto add : group.add) {
+      add(app, common, run);
+      app.get_subcommands([](const CLI::App*) { return true; }).back()->group(group.heading);
+    }
+}
+
+std::string help_of(const CLI::App& app) {
+  const CommandTable table = command_table(app);
+  const auto chosen = app.get_subcommands();
+  return chosen.empty() ? program_help(table) : command_help(*table.find(chosen.front()->get_name()));
+}
+
+/// Reads the command line and does what it asks for. Throws InputError, also for a wrong command line.
+Exit carry_out(CLI::App& app, Run& run, int argc, char** argv) {
+  try {
+    app.parse(argc, argv);
+    return run();
+  } catch (const CLI::CallForHelp&) {
+    print_text(help_of(app));
+  } catch (const CLI::CallForVersion& version) {
+    print_text(std::string(version.what()) + "\n");
+  } catch (const CLI::ParseError& error) {
+    throw InputError(usage_mistake(app, error));
   }
-  fmt::print(stderr, "trunk: {}; see `trunk --help`\n", text);
-  return static_cast<int>(trunk::Exit::bad_input);
+  return Exit::done;
 }
 
 }  // namespace
 
-std::string trunk::require_within(const std::string& text, double lowest, double highest) {
+void add_json_flag(CLI::App& command, Common& common) {
+  command.add_flag("--json", common.json, "Prints one JSON object instead of text.");
+}
+
+void add_force_flag(CLI::App& command, Common& common, const std::string& text) {
+  command.add_flag("--force", common.force, text);
+}
+
+std::string require_within(const std::string& text, double lowest, double highest) {
   double number = 0.0;
   const bool good =
       CLI::detail::lexical_cast(text, number) && number >= lowest && number <= highest;  // NaN is neither
-  return good ? "" : fmt::format("'{}', expected a number from {:g} to {:g}", text, lowest, highest);
+  return good ? "" : fmt::format("'{}' found; expected a number from {:g} to {:g}", text, lowest, highest);
 }
 
-int trunk::run_program(int argc, char** argv) {
+int run_program(int argc, char** argv) {
   gsl_set_error_handler_off();    // it would abort
   std::signal(SIGXFSZ, SIG_IGN);  // a limit on file sizes is then an error of write() like a full disk
-  CLI::App app{
-      "Fits a discrete model of the human trunk to lung volume traces, simulates it, sweeps scenarios."};
-  app.name("trunk");
-  app.require_subcommand(1);
-  app.set_version_flag("--version", trunk::version_text());
-  app.footer(
-      "Exit codes: 0 done, 1 different (diff, replay), 2 bad input, 3 diverged or not converged, 4 a free "
-      "parameter is not "
-      "identifiable, 130 interrupted.");
-  trunk::Common common{joined(argc, argv), false, false};
-  trunk::Run run;
-  trunk::add_check(app, common, run);
-  trunk::add_simulate(app, common, run);
-  trunk::add_breaths(app, common, run);
-  trunk::add_fit(app, common, run);
-  trunk::add_sweep(app, common, run);
-  trunk::add_status(app, common, run);
-  trunk::add_merge(app, common, run);
-  trunk::add_validate(app, common, run);
-  trunk::add_inspect(app, common, run);
-  trunk::add_diff(app, common, run);
-  trunk::add_replay(app, common, run);
-  trunk::add_export(app, common, run);
-  trunk::add_register(app, common, run);
-  trunk::add_compare(app, common, run);
-  trunk::add_report(app, common, run);
+  Common common{joined(argc, argv), false, false};
+  CLI::App app;
+  Run run;
+  Exit exit = Exit::done;
   try {
-    app.parse(argc, argv);
-    const trunk::Exit exit = run();
-    if (std::fflush(stdout) != 0)
-      throw trunk::InputError("standard output cannot be written; is the disk full?");
-    return static_cast<int>(exit);
-  } catch (const CLI::ParseError& error) {
-    return report_usage(app, error);
-  } catch (const trunk::InputError& error) {
-    trunk::clear_progress();
-    fmt::print(stderr, "trunk: {}\n", error.what());
-    return static_cast<int>(trunk::Exit::bad_input);
+    add_commands(app, common, run);
+    exit = carry_out(app, run, argc, argv);
+    flush_text();
+  } catch (const InputError& error) {
+    print_error(error.what());
+    exit = Exit::bad_input;
   } catch (const std::exception& error) {
-    trunk::clear_progress();
-    fmt::print(stderr, "trunk: {}\n", error.what());
-    return static_cast<int>(trunk::Exit::not_converged);
+    print_error(error.what());
+    exit = Exit::not_converged;
   }
+  return static_cast<int>(exit);
 }
+
+}  // namespace trunk

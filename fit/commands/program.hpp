@@ -2,8 +2,8 @@
 
 namespace trunk {
 
-/// The whole program: reads the command line, does what it says, returns the exit code. The first argument is
-/// the program's name.
+/// Does what the command line asks for and returns the exit code. All errors are printed here. The first
+/// argument is the name of the program.
 int run_program(int argc, char** argv);
 
 }  // namespace trunk

@@ -7,14 +7,7 @@
 #include "report/surface_contents.hpp"
 #include "results/read/results_kind.hpp"
 
-// scripts/build_report_page makes this page. It is part of the program, so that no other file is needed.
-asm(R"(
-.section .rodata
-.global trunk_report_page, trunk_report_page_end
-trunk_report_page: .incbin ")" TRUNK_REPORT_PAGE R"("
-trunk_report_page_end:
-.text
-)");
+// The page as scripts/build_report_page makes it, in the program itself (fit/embed.cmake).
 extern "C" const char trunk_report_page[], trunk_report_page_end[];
 
 namespace trunk {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <numeric>
-#include <vector>
 
 namespace trunk {
 
@@ -18,6 +17,18 @@ std::size_t edit_distance(std::string_view from, std::string_view to) {
     }
   }
   return row.back();
+}
+
+std::string nearest_name(std::string_view word, const std::vector<std::string>& names) {
+  const std::size_t letters = word.size() - std::min(word.find_first_not_of('-'), word.size());
+  std::size_t fewest = std::min((letters + 2) / 3 + 1, letters);  // a near name needs fewer edits than this
+  std::string nearest;
+  for (const std::string& name : names)
+    if (const std::size_t edits = edit_distance(word, name); edits < fewest) {
+      fewest = edits;
+      nearest = name;
+    }
+  return nearest;
 }
 
 }  // namespace trunk

@@ -7,6 +7,9 @@
 #include <atomic>
 #include <cmath>
 #include <csignal>
+#include <cstdio>
+
+#include "errors/input_error.hpp"
 
 namespace trunk {
 namespace {
@@ -21,16 +24,32 @@ static void note_interrupt(int) {
 }
 }
 
+[[noreturn]] void refuse_output() {
+  throw InputError(Place{"standard output"}, "it cannot be written", "", "check whether the disk is full");
+}
+
 }  // namespace
+
+void print_text(const std::string& text) {
+  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size()) refuse_output();
+}
+
+void flush_text() {
+  if (std::fflush(stdout) != 0) refuse_output();
+}
 
 void print_result(const Common& common, const Json& json, const std::string& text) {
   clear_progress();
-  fmt::print("{}\n", common.json ? json.dump(2) : text);
+  print_text((common.json ? json.dump(2) : text) + "\n");
 }
 
 void print_note(const std::string& text) {
   clear_progress();
   fmt::print(stderr, "{}\n", text);
+}
+
+void print_error(const std::string& text) {
+  print_note("trunk: " + text);
 }
 
 void print_progress(const std::string& text) {
