@@ -33,7 +33,8 @@ std::string fit_row(const std::string& name, const Numbers& to_target, const Num
                      100.0 * with_data);
 }
 
-/// As a whole: where there are data, and all of it, with what lies beyond the border of an open surface.
+/// Returns the row of one region. A target as a whole has a second row if its surface is open: all of the
+/// trunk's part, with what lies beyond the border of the surface.
 std::string fit_rows(const RegionFit& fit) {
   if (fit.region != "all")
     return fit_row(fit.target + ", " + fit.region, fit.to_target, fit.from_target, fit.with_data);
@@ -51,34 +52,35 @@ std::string listed(const std::vector<std::string>& names) {
 
 RegistrationVerdict verdict_of(const Registration& found, double tolerance) {
   if (!found.quality.sound())
-    return {"unsound_mesh", fmt::format("{} triangles are folded and the smallest angle is {:.2f} degrees: "
-                                        "another --lower-border, a landmark or a cleaner surface may help",
-                                        found.quality.folded, found.quality.smallest_angle / one_degree)};
+    return {"unsound_mesh",
+            fmt::format("{} triangles are folded and the smallest angle is {:.2f} degrees; try another "
+                        "--lower-border, a landmark or a cleaner surface",
+                        found.quality.folded, found.quality.smallest_angle / one_degree)};
   for (const RegionFit& fit : found.fits) {
-    if (fit.region != "all") continue;                       // each target as a whole
+    if (fit.region != "all") continue;                       // a target is judged as a whole
     const double least = fit.target == "ribs" ? 0.05 : 0.6;  // our choice; there is nothing between ribs
     if (fit.with_data < least)
       return {
           "mostly_extrapolated",
-          fmt::format(
-              "only {:.0f} % of the trunk's {} lie by the surface given for them, expected {:.0f} or more: "
-              "what the rest is like, and where, is a guess. Another surface beside it (--surface, "
-              "--lungs, --skin) or a landmark may settle it",
-              100.0 * fit.with_data, fit.target, 100.0 * least)};
+          fmt::format("only {:.0f} % of the trunk's {} lie by the surface given for them; expected {:.0f} % "
+                      "or more, because the rest is a guess; give another surface too (--surface, --lungs, "
+                      "--skin) or a landmark",
+                      100.0 * fit.with_data, fit.target, 100.0 * least)};
     for (const std::optional<Distances>& d : {fit.to_target, fit.from_target})
       if (d && !(d->rms <= tolerance && d->percentile95 <= 2.0 * tolerance))
-        return {"beyond_tolerance",
-                fmt::format(
-                    "the trunk is {:.1f} mm (RMS; 95th percentile {:.1f}) from the {}; expected at most {:g} "
-                    "and {:g}: is it in these axes and this unit, and is it the whole of it?",
-                    d->rms / millimetre, d->percentile95 / millimetre, fit.target, tolerance / millimetre,
-                    2.0 * tolerance / millimetre)};
+        return {
+            "beyond_tolerance",
+            fmt::format("the trunk is {:.1f} mm (RMS; 95th percentile {:.1f}) from the {}; expected at most "
+                        "{:g} and {:g}; check the axes and the unit of the surface, and whether it is "
+                        "complete",
+                        d->rms / millimetre, d->percentile95 / millimetre, fit.target, tolerance / millimetre,
+                        2.0 * tolerance / millimetre)};
   }
   if (found.apposition_wanted && std::abs(found.apposition_length - *found.apposition_wanted) > tolerance)
     return {
         "beyond_tolerance",
-        fmt::format("the zone of apposition is {:.1f} mm long, {:.1f} were asked for: this surface does not "
-                    "leave room for it",
+        fmt::format("the zone of apposition is {:.1f} mm long; expected the {:.1f} mm that you gave; this "
+                    "surface leaves no room for them",
                     found.apposition_length / millimetre, *found.apposition_wanted / millimetre)};
   return {"registered", "registered"};
 }
@@ -87,17 +89,19 @@ std::vector<std::string> warnings_of(const Registration& found) {
   std::vector<std::string> warnings;
   if (found.closed_diaphragm)
     warnings.push_back(
-        "the surface given as diaphragm is closed and no thin sheet; a diaphragm is an open dome or a sheet. "
-        "Whatever it is, the trunk was bent onto it: is it a lung (--lungs)?");
+        "the surface given as the diaphragm is closed and thick, but a diaphragm is an open dome or a thin "
+        "sheet. "
+        "The trunk was bent onto it all the same; if it is a lung, give it with --lungs");
   if (found.lungs_given > 0.0 && std::abs(found.final.lung / found.lungs_given - 1.0) > 0.05)
-    warnings.push_back(
-        fmt::format("the lungs given hold {:.0f} ml, the trunk's lung, which has no heart beside it, {:.0f}; "
-                    "--lung-volume-ml sets it",
-                    found.lungs_given / millilitre, found.final.lung / millilitre));
+    warnings.push_back(fmt::format(
+        "the given lungs hold {:.0f} ml, but the trunk's lung holds {:.0f} ml; the model has no heart "
+        "beside the lung. You can set its volume with --lung-volume-ml",
+        found.lungs_given / millilitre, found.final.lung / millilitre));
   if (found.held_back)
     warnings.push_back(
-        "the last iteration was held back to keep triangles from folding: a finer surface, another "
-        "--lower-border or a lower --resolution may fit better");
+        "the last iteration was held back because triangles would fold; a finer surface, another "
+        "--lower-border or "
+        "a lower --resolution may fit better");
   return warnings;
 }
 

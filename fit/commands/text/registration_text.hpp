@@ -5,20 +5,20 @@
 
 namespace trunk {
 
-/// Whether a registration is what was asked for.
+/// Whether a registration is what the user asked for.
 struct RegistrationVerdict {
-  std::string status;   // "registered", "beyond_tolerance", "unsound_mesh"
-  std::string message;  // why, in words
+  std::string status;   ///< "registered", "mostly_extrapolated", "beyond_tolerance" or "unsound_mesh"
+  std::string message;  ///< the reason, as a sentence without its full stop
 
   bool done() const { return status == "registered"; }
 };
 
-/// Of every target as a whole: RMS distance within the tolerance, m, and 95th percentile within twice that,
-/// both ways, where there are data; triangles that are sound; and a length of the zone of apposition, where
-/// one was asked for, within the tolerance.
+/// Returns whether the triangles are sound, every target as a whole is near enough, and the zone of
+/// apposition has the length that the user gave. Near means: where there are data, both ways, the RMS
+/// distance is at most `tolerance`, m, and the 95th percentile at most twice that.
 RegistrationVerdict verdict_of(const Registration& found, double tolerance);
 
-/// What a user ought to know of a registration that was done, one sentence each.
+/// Returns what a user should know about a finished registration, one sentence or two for each point.
 std::vector<std::string> warnings_of(const Registration& found);
 
 Json registration_json(const Registration& found, const RegistrationVerdict& verdict);
