@@ -36,16 +36,26 @@ Exit breaths_command(const Common& common, const BreathsRequest& request) {
 }  // namespace
 
 void add_breaths(CLI::App& app, Common& common, Run& run) {
-  auto* command = app.add_subcommand("breaths", "Show what segmentation makes of a trace");
+  auto* command = app.add_subcommand(
+      "breaths",
+      "Shows the breaths that the program finds in a recording. For a rejected breath it says why.");
   const auto request = std::make_shared<BreathsRequest>();
-  command->add_option("TRACE", request->trace, "trace of volume, flow or belt (text table, MATLAB, EDF, BDF)")
+  command
+      ->add_option("TRACE", request->trace,
+                   "A recording of volume, flow or a belt: a text table, MATLAB, EDF or BDF file.")
       ->required();
   add_signal_options(*command, request->signal);
   add_breath_options(*command, request->selection);
-  command->add_option("--csv", request->csv, "also write the breaths as a table");
-  command->add_flag("--curve", request->curve, "add to --json the volume without drift, 50 samples a second");
-  command->add_flag("--json", common.json, "print one JSON object");
-  command->add_flag("--force", common.force, "replace the table if it exists");
+  command->add_option("--csv", request->csv, "Also writes the breaths to this file, as a table.")
+      ->type_name("FILE");
+  command->add_flag("--curve", request->curve,
+                    "Adds the volume without drift to the JSON object, 50 samples a second.");
+  add_json_flag(*command, common);
+  add_force_flag(*command, common, "Replaces the table if it exists.");
+  command->footer(
+      "Examples:\n"
+      "  trunk breaths recording.csv\n"
+      "  trunk breaths recording.csv --flow \"Resp flow\" --unit L/min --exclude 3,7-9");
   command->callback(
       [&common, &run, request] { run = [&common, request] { return breaths_command(common, *request); }; });
 }

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double mm_per_m = 1e3;
 constexpr const char* sign_of_distance =
-    "positive: the model lies on the side that the surface faces, above a diaphragm, outside a closed "
+    "positive: the model lies on the side that the surface faces: above a diaphragm, outside a closed "
     "surface";
 
 struct CompareRequest : SurfaceRequest {
@@ -107,7 +107,7 @@ std::string compare_table(const CompareRequest& request, const RunRegion& region
   return text;
 }
 
-/// The map: a particle a row, or the region with its numbers.
+/// Returns a table with a row for each particle, or a surface with the same numbers, as the file name asks.
 std::string map_text(const std::filesystem::path& output, const RunRegion& region, const ShapeComparison& c) {
   std::vector<double> flat, x, y, z, border(c.at_border.begin(), c.at_border.end());
   for (const Vec3d& p : region.points) {
@@ -133,8 +133,8 @@ void prepare_output(const Common& common, const CompareRequest& request) {
   if (request.output.empty()) return;
   const std::string extension = std::filesystem::path(request.output).extension();
   if (extension != ".csv" && extension != ".vtp")
-    throw InputError(request.output, 0,
-                     "cannot tell what to write, expected a name that ends in .csv or .vtp");
+    throw InputError(Place{request.output}, "the name does not say what to write",
+                     "a name that ends in .csv or .vtp");
   require_apart({request.run, request.surface}, {request.output});
   require_writable_output(request.output, common.force);
 }
@@ -154,14 +154,23 @@ Exit compare_command(const Common& common, const CompareRequest& request) {
 }  // namespace
 
 void add_compare(CLI::App& app, Common& common, Run& run) {
-  auto* command = app.add_subcommand("compare", "Hold the shape of a run against a measured surface");
+  auto* command = app.add_subcommand(
+      "compare", "Compares the shape of a simulated trunk with a measured surface. Distances are in mm.");
   const auto request = std::make_shared<CompareRequest>();
-  command->add_option("RUN", request->run, "run or fit (HDF5); of a fit its best run")->required();
+  command->add_option("RUN", request->run, "A run or a fit (HDF5). Of a fit, its best run is compared.")
+      ->required();
   add_surface_request(*command, *request)->required();
-  command->add_option("-o,--output", request->output,
-                      "signed distance of each particle: a table (.csv) or surface (.vtp)");
-  command->add_flag("--json", common.json, "print one JSON object");
-  command->add_flag("--force", common.force, "replace the output if it exists");
+  command
+      ->add_option("-o,--output", request->output,
+                   "Writes the signed distance of every particle to this file: a table if the name ends in "
+                   ".csv, a surface if it ends in .vtp.")
+      ->type_name("FILE");
+  add_json_flag(*command, common);
+  add_force_flag(*command, common, "Replaces the output if it exists.");
+  command->footer(
+      "Examples:\n"
+      "  trunk compare run.h5 --surface diaphragm.stl\n"
+      "  trunk compare run.h5 --surface lung.vtp --region lung --at end -o distances.csv");
   command->callback(
       [&common, &run, request] { run = [&common, request] { return compare_command(common, *request); }; });
 }

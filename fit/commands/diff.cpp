@@ -16,9 +16,9 @@ struct DiffRequest {
 
 Comparison compare_files(const DiffRequest& request) {
   const std::string kind = kind_of(request.first), other = kind_of(request.second);
-  if (kind == "sweep") throw InputError(request.first, 0, "is a sweep, expected a run or a fit");
+  if (kind == "sweep") throw InputError(Place{request.first}, "is a sweep", "a run or a fit");
   if (other != kind)
-    throw InputError(request.second, 0, "is a " + other + ", expected a " + kind + " as the first file");
+    throw InputError(Place{request.second}, "is a " + other, "a " + kind + ", like the first file");
   return kind == "run" ? compare_runs(read_run(request.first), read_run(request.second), request.tolerance)
                        : compare_fits(read_fit(request.first), read_fit(request.second), request.tolerance);
 }
@@ -38,12 +38,17 @@ Exit diff_command(const Common& common, const DiffRequest& request) {
 }  // namespace
 
 void add_diff(CLI::App& app, Common& common, Run& run) {
-  auto* command = app.add_subcommand("diff", "Compare two runs or two fits; exit code 1 when they differ");
+  auto* command =
+      app.add_subcommand("diff", "Compares two runs or two fits. The exit code is 1 if they differ.");
   const auto request = std::make_shared<DiffRequest>();
-  command->add_option("A", request->first, "run or fit (HDF5)")->required();
-  command->add_option("B", request->second, "another of the same kind")->required();
+  command->add_option("FIRST", request->first, "A run or a fit (HDF5).")->required();
+  command->add_option("SECOND", request->second, "Another file of the same kind.")->required();
   add_tolerance_options(*command, request->tolerance);
-  command->add_flag("--json", common.json, "print one JSON object");
+  add_json_flag(*command, common);
+  command->footer(
+      "Examples:\n"
+      "  trunk diff before.h5 after.h5\n"
+      "  trunk diff before.h5 after.h5 --tolerance 0.001");
   command->callback(
       [&common, &run, request] { run = [&common, request] { return diff_command(common, *request); }; });
 }

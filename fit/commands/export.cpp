@@ -24,7 +24,8 @@ struct ExportRequest {
   std::string file, pml_folder, csv_folder, vtk_folder;
 };
 
-/// The trunk, its loads where it has any, and the scenario that takes both: simulating it repeats the run.
+/// Returns the trunk, its loads if there are any, and the scenario that reads both. Simulating the scenario
+/// repeats the run.
 std::vector<NamedText> pml_files(const std::string& source) {
   const RunInputs inputs = read_run_inputs(source);
   Scenario s = scenario_of_text(inputs.scenario_toml, source, inputs.trunk_pml).scenario;
@@ -47,10 +48,11 @@ std::vector<NamedText> csv_files(const std::string& source) {
 void make_folder(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
-  if (error) throw InputError(folder.string(), 0, "cannot be made a folder: " + error.message());
+  if (error) throw InputError(Place{folder.string()}, "the folder cannot be made: " + error.message());
 }
 
-/// Writes all or, where one cannot be written, says so before any. A view of VTKHDF goes beside them.
+/// Writes all files and, if `view` is not empty, a view of VTKHDF, and returns their names. Throws InputError
+/// before it writes any if one of them cannot be written.
 std::vector<std::string> write_all(const Common& common, const std::string& source, const fs::path& folder,
                                    const std::vector<NamedText>& files, const fs::path& view) {
   make_folder(folder);
@@ -72,7 +74,7 @@ std::vector<std::string> write_all(const Common& common, const std::string& sour
 
 Exit export_command(const Common& common, const ExportRequest& request) {
   if (request.pml_folder.empty() && request.csv_folder.empty() && request.vtk_folder.empty())
-    throw CLI::RequiredError("--csv DIR, --vtk DIR or --pml DIR");
+    throw InputError(Place{}, "no format is given", "--csv DIR, --vtk DIR or --pml DIR");
   std::vector<std::string> names;
   std::string advice;
   const auto write = [&](const fs::path& folder, const std::vector<NamedText>& files, const fs::path& view) {
@@ -101,22 +103,33 @@ Exit export_command(const Common& common, const ExportRequest& request) {
 }  // namespace
 
 void add_export(CLI::App& app, Common& common, Run& run) {
-  auto* command = app.add_subcommand("export", "Write a run or fit in formats of other programs");
+  auto* command = app.add_subcommand(
+      "export", "Writes a run or a fit in formats that other programs read. Each format goes to a folder.");
   const auto request = std::make_shared<ExportRequest>();
-  command->add_option("FILE", request->file, "run or fit (HDF5); of a fit its best run")->required();
-  command->add_option("--pml", request->pml_folder,
-                      "folder for trunk.pml (CamiTK's physical model: particles, surfaces, regions, fibres), "
-                      "loads.lml where there are loads, and scenario.toml, which simulates them again");
-  command->add_option(
-      "--csv", request->csv_folder,
-      "folder for tables: curves, frames, positions, measures, parameters; of a fit the breath, "
-      "evaluations, profiles and surface too");
-  command->add_option(
-      "--vtk", request->vtk_folder,
-      "folder for trunk.pvd and frames/*.vtp, which any ParaView opens, and view.vtkhdf, a link to "
-      "FILE for ParaView from 5.12 on");
-  command->add_flag("--json", common.json, "print one JSON object");
-  command->add_flag("--force", common.force, "replace files that exist");
+  command->add_option("FILE", request->file, "A run or a fit (HDF5). Of a fit, its best run is written.")
+      ->required();
+  command
+      ->add_option(
+          "--csv", request->csv_folder,
+          "Writes tables to this folder: curves, frames, positions, measures, parameters. A fit also "
+          "has tables of the breath, evaluations, profiles and surface.")
+      ->type_name("DIR");
+  command
+      ->add_option("--vtk", request->vtk_folder,
+                   "Writes trunk.pvd and frames/*.vtp to this folder, for every ParaView, and view.vtkhdf, "
+                   "for ParaView 5.12 and later. view.vtkhdf is a link to FILE.")
+      ->type_name("DIR");
+  command
+      ->add_option("--pml", request->pml_folder,
+                   "Writes trunk.pml to this folder (CamiTK's physical model: particles, surfaces, regions, "
+                   "fibres), loads.lml if there are loads, and scenario.toml, which simulates them again.")
+      ->type_name("DIR");
+  add_json_flag(*command, common);
+  add_force_flag(*command, common, "Replaces files that exist.");
+  command->footer(
+      "Examples:\n"
+      "  trunk export run.h5 --csv tables\n"
+      "  trunk export run.h5 --vtk paraview --pml camitk");
   command->callback(
       [&common, &run, request] { run = [&common, request] { return export_command(common, *request); }; });
 }

@@ -16,14 +16,14 @@ struct ReplayRequest {
   Tolerance tolerance;
 };
 
-/// The measured curve beside which the best run of a fit is stored.
+/// Returns the measured curve that a fit stores beside its best run.
 MeasuredCurve measured_beside(const std::string& file) {
   if (kind_of(file) != "fit") return {};
   const FitRecord fit = read_fit(file);
   return {fit.measured_time_s, fit.measured_m3, {}};
 }
 
-/// The same simulation from nothing but what the file holds.
+/// Returns the same simulation, made again from the file alone.
 RunRecord simulated_again(const std::string& file, const RunRecord& stored) {
   ScenarioFile scenario = scenario_of_text(stored.scenario_toml, file, stored.trunk_pml);
   const Trunk trunk = build_trunk(scenario);
@@ -55,13 +55,17 @@ Exit replay_command(const Common& common, const ReplayRequest& request) {
 }  // namespace
 
 void add_replay(CLI::App& app, Common& common, Run& run) {
-  auto* command = app.add_subcommand(
-      "replay",
-      "Simulate a run, or the best run of a fit, again from its file alone; exit code 1 when it differs");
+  auto* command = app.add_subcommand("replay",
+                                     "Simulates a run, or the best run of a fit, again from its file alone. "
+                                     "The exit code is 1 if the result differs.");
   const auto request = std::make_shared<ReplayRequest>();
-  command->add_option("FILE", request->file, "run or fit (HDF5)")->required();
+  command->add_option("FILE", request->file, "A run or a fit (HDF5).")->required();
   add_tolerance_options(*command, request->tolerance);
-  command->add_flag("--json", common.json, "print one JSON object");
+  add_json_flag(*command, common);
+  command->footer(
+      "Examples:\n"
+      "  trunk replay run.h5\n"
+      "  trunk replay fit.h5 --tolerance 1e-9");
   command->callback(
       [&common, &run, request] { run = [&common, request] { return replay_command(common, *request); }; });
 }

@@ -23,8 +23,8 @@ Exit report_command(const Common& common, const ReportRequest& request) {
   if (!request.beside.surface.empty()) {
     require_apart({request.beside.surface}, {request.output});
     if (files.size() > 1)
-      throw InputError(request.files[1], 0,
-                       "is a second file, expected one run or fit beside --surface; leave it out");
+      throw InputError(Place{request.files[1]}, "is a second file", "one run or fit if --surface is given",
+                       "leave one of them out");
     beside = compared(request.beside, request.files[0]).beside;
   }
   const std::string page = report_page(files, beside);
@@ -39,20 +39,28 @@ Exit report_command(const Common& common, const ReportRequest& request) {
 
 void add_report(CLI::App& app, Common& common, Run& run) {
   auto* command = app.add_subcommand(
-      "report", "Make a page to look at in a browser: the trunk as it breathes, curves, fit or sweep");
+      "report",
+      "Makes a page for a browser. It shows the trunk as it breathes, the curves, and a fit or sweep.");
   const auto request = std::make_shared<ReportRequest>();
   command
       ->add_option("FILE", request->files,
-                   "run, fit or sweep (HDF5), or two runs or fits to show side by side")
+                   "A run, a fit or a sweep (HDF5). Two runs or fits are shown side by side.")
       ->required()
       ->expected(1, 2);
-  command->add_option("-o,--output", request->output, "page (HTML); it needs no network and no other file")
+  command
+      ->add_option("-o,--output", request->output,
+                   "Writes the page to this file (HTML). The page needs no network and no other file.")
+      ->type_name("FILE")
       ->required();
   auto* surface = add_surface_request(*command, request->beside);
   for (const char* option : {"--at", "--region", "--align", "--surface-unit", "--axes", "--component"})
     command->get_option(option)->needs(surface);
-  command->add_flag("--json", common.json, "print one JSON object");
-  command->add_flag("--force", common.force, "replace the page if it exists");
+  add_json_flag(*command, common);
+  add_force_flag(*command, common, "Replaces the page if it exists.");
+  command->footer(
+      "Examples:\n"
+      "  trunk report fit.h5 -o fit.html\n"
+      "  trunk report healthy.h5 paralysed.h5 -o both.html");
   command->callback(
       [&common, &run, request] { run = [&common, request] { return report_command(common, *request); }; });
 }

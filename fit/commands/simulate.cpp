@@ -36,17 +36,18 @@ Json summary(const Trunk& trunk, const Scenario& scenario, const BreathRun& run)
   return json;
 }
 
-/// Loads act from the first moment on the rest shape, so that a part of the measured change is theirs.
+/// Tells the user that loads act on the rest shape from the first moment on, so that they cause a part of the
+/// measured change.
 void note_loads(const Scenario& s, const BreathRun& run) {
   constexpr double ml = 1e-6;
   const bool loaded = dot(s.gravity, s.gravity) > 0.0 || !s.loads.empty();
   if (!loaded || !run.ending.completed()) return;
   const double at_end = run.delta_v.back() / ml;
   if (std::abs(at_end) > 1.0)
-    print_note(
-        fmt::format("note: gravity or loads: the lung ends {:+.0f} ml from its volume at rest, to which the "
-                    "measures refer",
-                    at_end));
+    print_note(fmt::format(
+        "note: because of gravity or loads, the lung ends {:+.0f} ml from its volume at rest; the "
+        "measures refer to the volume at rest",
+        at_end));
 }
 
 Exit simulate_command(const Common& common, const SimulateRequest& request) {
@@ -79,23 +80,36 @@ Exit simulate_command(const Common& common, const SimulateRequest& request) {
 }  // namespace
 
 void add_simulate(CLI::App& app, Common& common, Run& run) {
-  auto* command = app.add_subcommand("simulate", "Simulate one scenario and keep the whole trajectory");
+  auto* command = app.add_subcommand(
+      "simulate",
+      "Simulates one scenario and writes the result, with the whole motion of the trunk, to a file.");
   const auto request = std::make_shared<SimulateRequest>();
-  command->add_option("SCENARIO", request->scenario, "scenario file (TOML)")->required();
-  command->add_option("-o,--output", request->output, "result file (HDF5)")->required();
-  command->add_option("--set", request->settings, "key=value, over the scenario; may be repeated")
-      ->take_all();
-  command->add_option("--from", request->parameters_from,
-                      "take k_elasticity, k_muscle, damping and the activation's course of this fit or run "
-                      "(HDF5), not its geometry; --set goes over it");
+  command->add_option("SCENARIO", request->scenario, "The scenario file (TOML).")->required();
+  command->add_option("-o,--output", request->output, "Writes the result to this file (HDF5).")
+      ->type_name("FILE")
+      ->required();
   command
-      ->add_option(
-          "--every", request->frame_every_ms,
-          "ms between the frames of the stored trajectory [time.frame_every_ms of the scenario, 10]; "
-          "0: a summary, with no trajectory and curves every 10 ms")
+      ->add_option("--set", request->settings,
+                   "Sets a key of the scenario. You can repeat it. `trunk check --keys` lists the keys.")
+      ->type_name("KEY=VALUE")
+      ->take_all();
+  command
+      ->add_option("--from", request->parameters_from,
+                   "Takes k_elasticity, k_muscle, damping and the course of the activation from this fit or "
+                   "run (HDF5). The geometry stays the scenario's, and --set goes over both.")
+      ->type_name("FILE");
+  command
+      ->add_option("--every", request->frame_every_ms,
+                   "Stores the motion every so many ms. 0 stores no motion, and curves every 10 ms. [the "
+                   "scenario's time.frame_every_ms, 10]")
+      ->type_name("MS")
       ->check(within(0.0, 1e6));
-  command->add_flag("--json", common.json, "print one JSON object");
-  command->add_flag("--force", common.force, "replace the result file if it exists");
+  add_json_flag(*command, common);
+  add_force_flag(*command, common, "Replaces the result file if it exists.");
+  command->footer(
+      "Examples:\n"
+      "  trunk simulate scenarios/healthy.toml -o healthy.h5\n"
+      "  trunk simulate scenarios/hemiparalysis_right.toml --from fit.h5 -o right.h5");
   command->callback(
       [&common, &run, request] { run = [&common, request] { return simulate_command(common, *request); }; });
 }

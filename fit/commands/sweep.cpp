@@ -16,7 +16,7 @@ struct SweepRequest {
   SweepOptions options;
 };
 
-/// "k/n". Throws InputError.
+/// Returns the shard that "k/n" names; throws InputError.
 Shard shard_of(const std::string& text) {
   if (text.empty()) return {};
   Shard shard;
@@ -26,7 +26,8 @@ Shard shard_of(const std::string& text) {
   const auto count = slash ? std::from_chars(number.ptr + 1, end, shard.count) : number;
   if (!slash || count.ec != std::errc() || count.ptr != end || shard.number < 1 ||
       shard.number > shard.count || shard.count > 1'000'000)
-    throw InputError("--shard " + text + ": expected k/n with k from 1 to n, as in --shard 3/16");
+    throw InputError(Place{"--shard " + text}, "is not a part of a sweep",
+                     "K/N with K from 1 to N, as in --shard 3/16");
   return shard;
 }
 
@@ -56,7 +57,7 @@ Exit sweep_command(const Common& common, SweepRequest request) {
   const auto start = std::chrono::steady_clock::now();
   const SweepOutcome o = run_sweep(design, folder, options, &show_progress, [] { return interrupted(); });
   if (!o.finished) {
-    print_note(fmt::format("interrupted: {} of {} runs are done; the same command goes on from there",
+    print_note(fmt::format("interrupted: {} of {} runs are done; the same command does the rest",
                            o.found + o.simulated, o.runs));
     return Exit::interrupted;
   }
@@ -73,8 +74,8 @@ Exit sweep_command(const Common& common, SweepRequest request) {
   }
   const std::string next =
       whole ? place_of_table(folder, design)
-            : fmt::format("Shard {}; `trunk merge {}` writes the table when all have ended", request.shard,
-                          folder.path().string());
+            : fmt::format("This was shard {}; `trunk merge {}` writes the table when all shards have ended",
+                          request.shard, folder.path().string());
   print_result(common, json,
                fmt::format("{}: {} runs, {} found done, {} simulated in {:.1f} s, {} failed\n{}",
                            design.title, o.runs, o.found, o.simulated, wall.count(), o.failed, next));
@@ -102,8 +103,8 @@ Exit merge_command(const Common& common, const std::string& path) {
   const SweepDesign design = folder.design();
   const TableOutcome o = write_table(design, folder, common.argv);
   if (o.missing > 0)
-    print_note(
-        fmt::format("note: {} of {} runs are missing: their shards have not ended", o.missing, o.runs));
+    print_note(fmt::format("note: {} of {} runs are missing, because their shards have not ended", o.missing,
+                           o.runs));
   print_result(common,
                {{"schema", "trunk.merge/1"},
                 {"runs", o.runs},
@@ -116,13 +117,14 @@ Exit merge_command(const Common& common, const std::string& path) {
   return o.failed + o.missing == 0 ? Exit::done : Exit::not_converged;
 }
 
-/// status and merge: a folder, and nothing else to say.
+/// Adds `status` or `merge`, which take a folder and nothing else.
 void add_folder_command(CLI::App& app, Common& common, Run& run, const char* name, const char* what,
                         Exit (*carry_out)(const Common&, const std::string&)) {
   auto* command = app.add_subcommand(name, what);
   const auto folder = std::make_shared<std::string>();
-  command->add_option("DIR", *folder, "folder of a sweep")->required();
-  command->add_flag("--json", common.json, "print one JSON object");
+  command->add_option("DIR", *folder, "The folder of the sweep.")->required();
+  add_json_flag(*command, common);
+  command->footer(fmt::format("Example:\n  trunk {} grid", name));
   command->callback([&common, &run, folder, carry_out] {
     run = [&common, folder, carry_out] { return carry_out(common, *folder); };
   });
@@ -131,31 +133,43 @@ void add_folder_command(CLI::App& app, Common& common, Run& run, const char* nam
 }  // namespace
 
 void add_sweep(CLI::App& app, Common& common, Run& run) {
-  auto* command = app.add_subcommand(
-      "sweep", "Run scenarios over a grid or a sample of parameters; resumes what was interrupted");
+  auto* command = app.add_subcommand("sweep",
+                                     "Simulates scenarios over a grid or a sample of parameters. The same "
+                                     "command again goes on after an interruption.");
   const auto request = std::make_shared<SweepRequest>();
   SweepOptions& options = request->options;
-  command->add_option("SWEEP", request->design, "sweep file (TOML)")->required();
-  command->add_option("-o,--output", request->folder, "folder for the results")->required();
-  command->add_option("-j,--threads", options.threads, "threads [one a core]")->check(CLI::Range(1u, 1024u));
-  command->add_option("--shard", request->shard,
-                      "k/n: every n-th run from the k-th on, for one of n processes on the same folder; then "
-                      "`trunk merge`");
-  command->add_option("--timeout", options.timeout_s, "give up a run after so many seconds [never]")
+  command->add_option("SWEEP", request->design, "The sweep file (TOML).")->required();
+  command->add_option("-o,--output", request->folder, "Writes the results to this folder.")
+      ->type_name("DIR")
+      ->required();
+  command->add_option("-j,--threads", options.threads, "Simulates on so many threads. [one for each core]")
+      ->check(CLI::Range(1u, 1024u));
+  command
+      ->add_option("--shard", request->shard,
+                   "Does part K of N: runs K, K+N, K+2N and so on. N processes can then share the work and "
+                   "the folder; `trunk merge` writes the table at the end.")
+      ->type_name("K/N");
+  command->add_option("--timeout", options.timeout_s, "Gives up a run after so many seconds. [never]")
+      ->type_name("SECONDS")
       ->check(within(1e-3, 1e9));
-  command->add_flag("--retry-failed", options.retry_failed, "simulate again what failed or timed out before");
-  command->add_flag("--json", common.json, "print one JSON object");
-  command->add_flag("--force", common.force, "delete the runs of another sweep in that folder");
+  command->add_flag("--retry-failed", options.retry_failed,
+                    "Simulates again what failed or timed out before.");
+  add_json_flag(*command, common);
+  command->add_flag("--force", common.force, "Deletes the runs of another sweep in the folder.");
+  command->footer(
+      "Examples:\n"
+      "  trunk sweep scenarios/sweep_grid.toml -o grid -j 4\n"
+      "  trunk sweep scenarios/sweep_grid.toml -o grid --shard 3/16");
   command->callback(
       [&common, &run, request] { run = [&common, request] { return sweep_command(common, *request); }; });
 }
 
 void add_status(CLI::App& app, Common& common, Run& run) {
-  add_folder_command(app, common, run, "status", "Show how far a sweep is", &status_command);
+  add_folder_command(app, common, run, "status", "Shows how far a sweep is.", &status_command);
 }
 
 void add_merge(CLI::App& app, Common& common, Run& run) {
-  add_folder_command(app, common, run, "merge", "Write the table of a sweep that was done in shards",
+  add_folder_command(app, common, run, "merge", "Writes the table of a sweep that was done in shards.",
                      &merge_command);
 }
 

@@ -58,7 +58,7 @@ Json validation_summary(const ValidationRun& f, std::span<const Judged> results,
   return json;
 }
 
-/// Why numbers are missing, where a simulation did not end.
+/// Returns why numbers are missing if a simulation did not end.
 std::string unfinished_text(const ValidationRun& f) {
   std::string text;
   for (const ValidatedScenario& scenario : validated_scenarios()) {
@@ -79,7 +79,7 @@ Exit validate_command(const Common& common, ValidateRequest request) {
   print_result(common, validation_summary(run, results, failures.empty(), request),
                validation_text(run, results));
   if (failures.empty()) return Exit::done;
-  print_note("trunk: " + failures + unfinished_text(run));
+  print_error(failures + unfinished_text(run));
   return Exit::not_converged;
 }
 
@@ -87,22 +87,28 @@ Exit validate_command(const Common& common, ValidateRequest request) {
 
 void add_validate(CLI::App& app, Common& common, Run& run) {
   auto* command = app.add_subcommand(
-      "validate",
-      "Hold the simulator against the paper's Table 1 and against paralysis; exit 3 where it fails");
+      "validate", "Compares the simulator with Table 1 of the paper and with paralysis. It writes no file.");
   const auto request = std::make_shared<ValidateRequest>();
-  command->add_option("--scenarios", request->scenarios,
-                      "folder of the scenarios to run [scenarios, beside the program's folder, else here]");
-  command->add_option("--table1", request->table1,
-                      "the paper's figures (CSV) [reference/table1.csv, found likewise]");
-  command->add_flag("--json", common.json, "print one JSON object");
+  command
+      ->add_option("--scenarios", request->scenarios,
+                   "Takes the scenarios from this folder. [scenarios, beside the folder of the program, else "
+                   "in this folder]")
+      ->type_name("DIR");
+  command
+      ->add_option("--table1", request->table1,
+                   "Takes the paper's numbers from this file (CSV). [reference/table1.csv, found in the same "
+                   "way]")
+      ->type_name("FILE");
+  add_json_flag(*command, common);
   std::string names;
   for (const ValidatedScenario& scenario : validated_scenarios())
     names += (names.empty() ? "" : ", ") + std::string(scenario.name);
   command->footer(
-      "Runs " + names +
-      ".\nPrints Table 1 (experiment, published model, ours), the errors, and every bound with its "
-      "value.\nWrites no file. Exit codes: 0 every bound holds, 2 bad input, 3 a bound fails or a "
-      "simulation did not end.");
+      "It simulates " + names +
+      ". It prints Table 1 (experiment, published model, ours), the errors, and every bound with its "
+      "value. The exit code is 3 if a bound does not hold or a simulation does not end.\n\n"
+      "Example:\n"
+      "  trunk validate");
   command->callback(
       [&common, &run, request] { run = [&common, request] { return validate_command(common, *request); }; });
 }

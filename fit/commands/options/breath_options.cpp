@@ -1,6 +1,6 @@
 #include "commands/options/breath_options.hpp"
 
-#include "errors/input_error.hpp"
+#include "commands/commands.hpp"
 
 namespace trunk {
 
@@ -14,19 +14,23 @@ void add_breath_options(CLI::App& command, BreathSelection& selection) {
               for (const std::string& text : given)
                 for (const std::size_t number : breath_numbers(option, text)) chosen.push_back(number);
             },
-            what + ": numbers as trunk breaths lists them, as in 3,7 or 3-5")
+            what + " `trunk breaths` lists their numbers. Write them as in 3,7 or 3-5.")
+        ->type_name("N,N-M")
+        ->group("Which breaths to use")
         ->take_all();
   };
-  numbers("--exclude", selection.excluded, "breaths to reject");
-  numbers("--include", selection.included, "breaths to keep though they look odd");
-  command.add_option_function<double>(
-      "--calibrate-tidal-volume",
-      [&selection](double ml) {
-        if (!(ml >= 1 && ml <= 10000))  // CLI::Range lets NaN pass
-          throw InputError("--calibrate-tidal-volume: expected 1 to 10000 ml");
-        selection.calibrate_tidal_volume_m3 = 1e-6 * ml;
-      },
-      "ml that the median kept breath had: scales a belt, or a volume of wrong calibration");
+  numbers("--exclude", selection.excluded, "Rejects these breaths.");
+  numbers("--include", selection.included, "Keeps these breaths, even if they look odd.");
+  command
+      .add_option_function<double>(
+          "--calibrate-tidal-volume",
+          [&selection](double ml) { selection.calibrate_tidal_volume_m3 = 1e-6 * ml; },
+          "Scales the signal so that the median kept breath has this tidal volume in ml. A belt needs it, "
+          "and so "
+          "does a volume of wrong calibration.")
+      ->type_name("ML")
+      ->group("Which breaths to use")
+      ->check(within(1.0, 10000.0));
 }
 
 }  // namespace trunk

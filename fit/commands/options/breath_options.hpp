@@ -6,7 +6,7 @@
 
 namespace trunk {
 
-/// --exclude, --include and --calibrate-tidal-volume.
+/// Adds --exclude, --include and --calibrate-tidal-volume.
 void add_breath_options(CLI::App& command, BreathSelection& selection);
 
 }  // namespace trunk

@@ -15,14 +15,14 @@ fs::path shipped_file(const fs::path& place, const char* option) {
                  here = fs::current_path(ignored) / place;
   if (!program.empty() && fs::exists(beside, ignored)) return beside;
   if (fs::exists(here, ignored)) return here;
-  throw InputError("neither " + beside.string() + " nor " + here.string() + " exists; say where it is with " +
-                   option);
+  throw InputError(Place{}, "neither " + beside.string() + " nor " + here.string() + " exists", "",
+                   std::string("say where it is with ") + option);
 }
 
 fs::path require_folder(const fs::path& folder) {
   std::error_code ignored;
   if (fs::is_directory(folder, ignored)) return folder;
-  throw InputError(folder.string(), 0, "no such folder; expected one with healthy.toml and its companions");
+  throw InputError(Place{folder.string()}, "there is no such folder", "a folder with the shipped scenarios");
 }
 
 }  // namespace trunk

@@ -6,26 +6,50 @@
 namespace trunk {
 
 void add_surface_options(CLI::App& command, SurfaceOptions& options) {
+  constexpr const char* group = "How to read surfaces";
   command
-      .add_option("--surface-unit", options.unit, "unit of the surface: mm, cm or m [guessed from its size]")
+      .add_option("--surface-unit", options.unit,
+                  "Takes coordinates in this unit. [guessed from the size of the surface]")
+      ->type_name("UNIT")
+      ->group(group)
       ->check(CLI::IsMember({"mm", "cm", "m"}));
-  command.add_option(
-      "--axes", options.axes,
-      "sides to which x, y and z of the surface grow, as in LPS or RSA, or its coordinates that "
-      "are right, forward and up, as in x,-z,y [guessed]");
-  command.add_option("--component", options.component,
-                     "the one component, group or solid of the file to take [all]");
+  command
+      .add_option("--axes", options.axes,
+                  "Says to which sides x, y and z grow, as in LPS or RSA, or which coordinates point right, "
+                  "forward and up, as in x,-z,y. [guessed]")
+      ->type_name("AXES")
+      ->group(group);
+  command
+      .add_option("--component", options.component,
+                  "Takes only this component, group or solid of the file. [all]")
+      ->type_name("NAME")
+      ->group(group);
 }
 
 CLI::Option* add_surface_request(CLI::App& command, SurfaceRequest& request) {
-  auto* surface =
-      command.add_option("--surface", request.surface, "measured surface (STL, OBJ, PLY, VTK, VTP or PML)");
-  command.add_option("--at", request.at, "peak (largest lung volume), start, end, or seconds [peak]");
-  command.add_option(
-      "--region", request.region,
-      "diaphragm, lung, abdomen, skin, or a region of the run such as central_tendon [diaphragm]");
+  constexpr const char* group = "What to compare";
+  auto* surface = command
+                      .add_option("--surface", request.surface,
+                                  "Compares with this measured surface (STL, OBJ, PLY, VTK, VTP or PML).")
+                      ->type_name("FILE")
+                      ->group(group);
+  command
+      .add_option(
+          "--at", request.at,
+          "Compares at this moment: start, peak (the largest lung volume), end, or a time in s. [peak]")
+      ->type_name("MOMENT")
+      ->group(group);
+  command
+      .add_option("--region", request.region,
+                  "Compares this region: diaphragm, lung, abdomen, skin, or a region of the run such as "
+                  "central_tendon. [diaphragm]")
+      ->type_name("NAME")
+      ->group(group);
+  command
+      .add_flag("--align", request.align,
+                "First moves the surface onto the region, without changing its shape.")
+      ->group(group);
   add_surface_options(command, request.options);
-  command.add_flag("--align", request.align, "first move the surface rigidly onto the region");
   return surface;
 }
 

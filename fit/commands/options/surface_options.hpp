@@ -7,25 +7,25 @@
 
 namespace trunk {
 
-/// --surface-unit, --axes and --component, the same wherever a command reads a surface.
+/// Adds --surface-unit, --axes and --component, which are the same in every command that reads a surface.
 void add_surface_options(CLI::App& command, SurfaceOptions& options);
 
-/// A measured surface to hold a region of a run against.
+/// A measured surface, and the region of a run that is compared with it.
 struct SurfaceRequest {
   std::string surface, at = "peak", region = "diaphragm";
   SurfaceOptions options;
   bool align = false;
 };
 
-/// --surface, which is returned, --at, --region, --align and the options above.
+/// Adds --surface, --at, --region, --align and the options above. Returns --surface.
 CLI::Option* add_surface_request(CLI::App& command, SurfaceRequest& request);
 
 struct SurfaceAnswer {
-  ImportedSurface file;  // without its surface, which is in `beside`
+  ImportedSurface file;  ///< without its surface, which is in `beside`
   ComparedSurface beside;
 };
 
-/// Reads the surface, says its notes, and compares. Throws InputError.
+/// Reads the surface, prints the notes about it, and compares. Throws InputError.
 SurfaceAnswer compared(const SurfaceRequest& request, const std::string& run_file);
 
 }  // namespace trunk

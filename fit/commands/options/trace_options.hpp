@@ -6,7 +6,7 @@
 
 namespace trunk {
 
-/// --time, --flow, --volume, --belt, --signal, --unit, --time-unit, --rate and --invert.
+/// Adds --time, --flow, --volume, --belt, --signal, --unit, --time-unit, --rate and --invert.
 void add_signal_options(CLI::App& command, SignalOptions& options);
 
 }  // namespace trunk

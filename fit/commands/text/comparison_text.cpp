@@ -48,13 +48,17 @@ void add_tolerance_options(CLI::App& command, Tolerance& tolerance) {
     double value = -1.0;
     return CLI::detail::lexical_cast(text, value) && value >= 0.0 && std::isfinite(value)
                ? ""
-               : "'" + text + "', expected a number from 0 on";
+               : "'" + text + "' found; expected a number, 0 or more";
   };
   command
       .add_option("--tolerance", tolerance.relative,
-                  "numbers are the same that differ by no more than this part of the larger one [1e-6]")
+                  "Takes two numbers as equal if they differ by at most this part of the larger one. [1e-6]")
+      ->type_name("PART")
       ->check(not_negative);
-  command.add_option("--absolute", tolerance.absolute, "or by no more than this, in their own unit [1e-9]")
+  command
+      .add_option("--absolute", tolerance.absolute,
+                  "Also takes them as equal if they differ by at most this, in their own unit. [1e-9]")
+      ->type_name("NUMBER")
       ->check(not_negative);
 }
 

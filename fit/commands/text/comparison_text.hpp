@@ -9,13 +9,13 @@ class App;
 
 namespace trunk {
 
-/// `same`, `compared`, `farthest_m` and one object a difference.
+/// Returns `same`, `compared`, `farthest_m` and one object for each difference.
 Json comparison_json(const Comparison& comparison);
 
-/// One line a difference, with both numbers; nothing where all is the same.
+/// Returns one line with both numbers for each difference; "" if there is none.
 std::string comparison_table(const Comparison& comparison);
 
-/// "--tolerance" and "--absolute".
+/// Adds --tolerance and --absolute.
 void add_tolerance_options(CLI::App& command, Tolerance& tolerance);
 
 }  // namespace trunk

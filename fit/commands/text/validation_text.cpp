@@ -10,7 +10,7 @@
 namespace trunk {
 namespace {
 
-/// No "-0.00" for what is 0 to the digits shown.
+/// Returns 0 if the number is 0 to the digits shown, so that no "-0.00" is printed.
 double without_negative_zero(double value, int decimals) {
   return std::abs(value) < 0.5 * std::pow(10.0, -decimals) ? 0.0 : value;
 }
@@ -40,7 +40,7 @@ std::string table1_text(const ValidationRun& f) {
   return text + "\n";
 }
 
-/// Every breath that was simulated; a paralysed one also in percent of its healthy twin.
+/// Returns a row for every simulated breath. A paralysed one is also given in percent of its healthy twin.
 std::string breaths_text(const ValidationRun& f) {
   std::string text = fmt::format("{:<30} {:>8} {:>10} {:>12} {:>12} {:>12}\n", "Domes: positive descends",
                                  "dV ml", "% of twin", "right mm", "left mm", "volume error");
