@@ -1,18 +1,16 @@
 #include <fmt/format.h>
 
-#include <numbers>
-
 #include "commands/commands.hpp"
 #include "commands/options/surface_options.hpp"
 #include "errors/input_error.hpp"
 #include "exports/csv_table.hpp"
 #include "exports/vtk_files.hpp"
 #include "files/replace_file.hpp"
+#include "math/units.hpp"
 
 namespace trunk {
 namespace {
 
-constexpr double mm_per_m = 1e3;
 constexpr const char* sign_of_distance =
     "positive: the model lies on the side that the surface faces: above a diaphragm, outside a closed "
     "surface";
@@ -80,7 +78,7 @@ Json compare_json(const CompareRequest& request, const SurfaceAnswer& answer) {
     json["aligned"] = {
         {"shift_mm",
          {mm_per_m * c.moved.shift.x(), mm_per_m * c.moved.shift.y(), mm_per_m * c.moved.shift.z()}},
-        {"angle_degrees", c.moved.angle * 180.0 / std::numbers::pi}};
+        {"angle_degrees", c.moved.angle * degrees_per_rad}};
   return json;
 }
 
@@ -103,7 +101,7 @@ std::string compare_table(const CompareRequest& request, const RunRegion& region
   text += fmt::format("  signed mean {:+.2f} mm ({})", mm_per_m * c.mean_side, sign_of_distance);
   if (request.align)
     text += fmt::format("\n  the surface was turned by {:.1f} degrees and moved to fit (--align)",
-                        c.moved.angle * 180.0 / std::numbers::pi);
+                        c.moved.angle * degrees_per_rad);
   return text;
 }
 
@@ -170,7 +168,7 @@ void add_compare(CLI::App& app, Common& common, Run& run) {
   command->footer(
       "Examples:\n"
       "  trunk compare run.h5 --surface diaphragm.stl\n"
-      "  trunk compare run.h5 --surface lung.vtp --region lung --at end -o distances.csv");
+      "  trunk compare run.h5 --surface lung.vtp --region lung --at end -o lung.csv");
   command->callback(
       [&common, &run, request] { run = [&common, request] { return compare_command(common, *request); }; });
 }

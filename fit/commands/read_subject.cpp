@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "errors/input_error.hpp"
+#include "math/units.hpp"
 #include "surface/axes.hpp"
 
 namespace trunk {
@@ -47,7 +48,7 @@ class SurfaceFiles {
     ImportedSurface read = read_surface(file, options);
     for (const std::string& note : read.notes) subject_.notes.push_back(file + ": " + note);
     subject_.files.push_back(file);
-    const double metres = read.unit == "m" ? 1.0 : read.unit == "cm" ? 1e-2 : 1e-3;
+    const double metres = read.unit == "m" ? 1.0 : read.unit == "cm" ? 1e-2 : m_per_mm;
     if (!frame_) frame_ = {metres, Axes(read.axes)};
     return std::move(read.surface);
   }

@@ -9,6 +9,7 @@
 #include "dynamics/stability.hpp"
 #include "errors/input_error.hpp"
 #include "files/replace_file.hpp"
+#include "math/units.hpp"
 #include "scenarios/read_scenario.hpp"
 #include "trunks/read_trunk_pml.hpp"
 
@@ -82,9 +83,9 @@ Exit register_command(const Common& common, RegisterRequest request) {
   SubjectMeasurements& targets = subject.measurements;
   const bool own_volume = request.lung_volume_ml || targets.lungs.empty();
   if (own_volume)
-    targets.lung_volume =
-        1e-6 * request.lung_volume_ml.value_or(1e6 * scenario.scenario.geometry.end_expiratory_volume);
-  if (request.apposition_length_mm) targets.apposition_length = 1e-3 * *request.apposition_length_mm;
+    targets.lung_volume = m3_per_ml * request.lung_volume_ml.value_or(
+                                          ml_per_m3 * scenario.scenario.geometry.end_expiratory_volume);
+  if (request.apposition_length_mm) targets.apposition_length = m_per_mm * *request.apposition_length_mm;
   targets.lower_border = lower_border_of(request.lower_border);
   std::vector<fs::path> inputs = scenario.inputs;
   inputs.insert(inputs.end(), subject.files.begin(), subject.files.end());
@@ -95,7 +96,7 @@ Exit register_command(const Common& common, RegisterRequest request) {
   const Registration found = register_trunk(trunk, targets, [](int n, int of) {
     print_progress(fmt::format("register: iteration {} of {}", n + 1, of));
   });
-  const RegistrationVerdict verdict = verdict_of(found, 1e-3 * request.tolerance_mm);
+  const RegistrationVerdict verdict = verdict_of(found, m_per_mm * request.tolerance_mm);
   require_upright(found.mesh);
   replace_file(pml, trunk_pml(found.mesh, found.mesh.given, scenario.scenario.rigid, pml.stem().string()));
   replace_file(toml, subject_toml(request.scenario, pml, step_too_long(scenario.scenario, found.mesh)));

@@ -4,6 +4,7 @@
 
 #include "commands/commands.hpp"
 #include "files/replace_file.hpp"
+#include "math/units.hpp"
 #include "records/provenance.hpp"
 #include "records/run_record.hpp"
 #include "results/read/stored_run.hpp"
@@ -39,10 +40,9 @@ Json summary(const Trunk& trunk, const Scenario& scenario, const BreathRun& run)
 /// Tells the user that loads act on the rest shape from the first moment on, so that they cause a part of the
 /// measured change.
 void note_loads(const Scenario& s, const BreathRun& run) {
-  constexpr double ml = 1e-6;
   const bool loaded = dot(s.gravity, s.gravity) > 0.0 || !s.loads.empty();
   if (!loaded || !run.ending.completed()) return;
-  const double at_end = run.delta_v.back() / ml;
+  const double at_end = ml_per_m3 * run.delta_v.back();
   if (std::abs(at_end) > 1.0)
     print_note(fmt::format(
         "note: because of gravity or loads, the lung ends {:+.0f} ml from its volume at rest; the "
@@ -57,7 +57,7 @@ Exit simulate_command(const Common& common, const SimulateRequest& request) {
     file.inputs.push_back(request.parameters_from);
   }
   apply_settings(request.settings, file);
-  if (request.frame_every_ms) file.scenario.frame_every_s = 1e-3 * *request.frame_every_ms;
+  if (request.frame_every_ms) file.scenario.frame_every_s = s_per_ms * *request.frame_every_ms;
   require_apart(file.inputs, {request.output});
   const Trunk trunk = build_timed_trunk(file);
   require_writable_output(request.output, common.force);
@@ -69,10 +69,10 @@ Exit simulate_command(const Common& common, const SimulateRequest& request) {
     print_note(fmt::format(
         "note: {} triangles of the lung turned over: the breath is deeper than this model can follow",
         run.flipped_triangles));
-  const std::string text =
-      fmt::format("{}: {}\n{}  {} particles, {} steps of {:g} ms in {:.1f} ms; written to {}",
-                  file.scenario.title, run.ending.message, aligned(measures_of(run)), trunk.model.particles(),
-                  run.ending.steps, 1e3 * file.scenario.time.dt_s, 1e3 * run.wall_s, request.output);
+  const std::string text = fmt::format(
+      "{}: {}\n{}  {} particles, {} steps of {:g} ms in {:.1f} ms; written to {}", file.scenario.title,
+      run.ending.message, aligned(measures_of(run)), trunk.model.particles(), run.ending.steps,
+      ms_per_s * file.scenario.time.dt_s, ms_per_s * run.wall_s, request.output);
   print_result(common, summary(trunk, file.scenario, run), text);
   return run.ending.completed() ? Exit::done : Exit::not_converged;
 }

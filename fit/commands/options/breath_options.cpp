@@ -1,6 +1,7 @@
 #include "commands/options/breath_options.hpp"
 
 #include "commands/commands.hpp"
+#include "math/units.hpp"
 
 namespace trunk {
 
@@ -24,7 +25,7 @@ void add_breath_options(CLI::App& command, BreathSelection& selection) {
   command
       .add_option_function<double>(
           "--calibrate-tidal-volume",
-          [&selection](double ml) { selection.calibrate_tidal_volume_m3 = 1e-6 * ml; },
+          [&selection](double ml) { selection.calibrate_tidal_volume_m3 = m3_per_ml * ml; },
           "Scales the signal so that the median kept breath has this tidal volume in ml. A belt needs it, "
           "and so "
           "does a volume of wrong calibration.")

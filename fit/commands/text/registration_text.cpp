@@ -4,20 +4,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "math/units.hpp"
 
 namespace trunk {
 namespace {
 
-constexpr double millimetre = 1e-3, millilitre = 1e-6, one_degree = std::numbers::pi / 180.0;
-
 Json distances_json(const std::optional<Distances>& found) {
   if (!found) return nullptr;
   const Distances& d = *found;
-  return {{"rms_mm", d.rms / millimetre},
-          {"median_mm", d.median / millimetre},
-          {"p95_mm", d.percentile95 / millimetre},
-          {"hausdorff_mm", d.hausdorff / millimetre}};
+  return {{"rms_mm", mm_per_m * d.rms},
+          {"median_mm", mm_per_m * d.median},
+          {"p95_mm", mm_per_m * d.percentile95},
+          {"hausdorff_mm", mm_per_m * d.hausdorff}};
 }
 
 using Numbers = std::optional<Distances>;
@@ -26,8 +25,8 @@ std::string fit_row(const std::string& name, const Numbers& to_target, const Num
                     double with_data) {
   const auto numbers = [](const Numbers& d) {
     if (!d) return fmt::format(" {:>31} |", "");
-    return fmt::format(" {:>7.2f} {:>7.2f} {:>7.2f} {:>7.2f} |", d->rms / millimetre, d->median / millimetre,
-                       d->percentile95 / millimetre, d->hausdorff / millimetre);
+    return fmt::format(" {:>7.2f} {:>7.2f} {:>7.2f} {:>7.2f} |", mm_per_m * d->rms, mm_per_m * d->median,
+                       mm_per_m * d->percentile95, mm_per_m * d->hausdorff);
   };
   return fmt::format("{:<30}{}{} {:>6.0f} %\n", name, numbers(to_target), numbers(from_target),
                      100.0 * with_data);
@@ -55,7 +54,7 @@ RegistrationVerdict verdict_of(const Registration& found, double tolerance) {
     return {"unsound_mesh",
             fmt::format("{} triangles are folded and the smallest angle is {:.2f} degrees; try another "
                         "--lower-border, a landmark or a cleaner surface",
-                        found.quality.folded, found.quality.smallest_angle / one_degree)};
+                        found.quality.folded, degrees_per_rad * found.quality.smallest_angle)};
   for (const RegionFit& fit : found.fits) {
     if (fit.region != "all") continue;                       // a target is judged as a whole
     const double least = fit.target == "ribs" ? 0.05 : 0.6;  // our choice; there is nothing between ribs
@@ -73,15 +72,15 @@ RegistrationVerdict verdict_of(const Registration& found, double tolerance) {
             fmt::format("the trunk is {:.1f} mm (RMS; 95th percentile {:.1f}) from the {}; expected at most "
                         "{:g} and {:g}; check the axes and the unit of the surface, and whether it is "
                         "complete",
-                        d->rms / millimetre, d->percentile95 / millimetre, fit.target, tolerance / millimetre,
-                        2.0 * tolerance / millimetre)};
+                        mm_per_m * d->rms, mm_per_m * d->percentile95, fit.target, mm_per_m * tolerance,
+                        2.0 * mm_per_m * tolerance)};
   }
   if (found.apposition_wanted && std::abs(found.apposition_length - *found.apposition_wanted) > tolerance)
     return {
         "beyond_tolerance",
         fmt::format("the zone of apposition is {:.1f} mm long; expected the {:.1f} mm that you gave; this "
                     "surface leaves no room for them",
-                    found.apposition_length / millimetre, *found.apposition_wanted / millimetre)};
+                    mm_per_m * found.apposition_length, mm_per_m * *found.apposition_wanted)};
   return {"registered", "registered"};
 }
 
@@ -96,7 +95,7 @@ std::vector<std::string> warnings_of(const Registration& found) {
     warnings.push_back(fmt::format(
         "the given lungs hold {:.0f} ml, but the trunk's lung holds {:.0f} ml; the model has no heart "
         "beside the lung. You can set its volume with --lung-volume-ml",
-        found.lungs_given / millilitre, found.final.lung / millilitre));
+        ml_per_m3 * found.lungs_given, ml_per_m3 * found.final.lung));
   if (found.held_back)
     warnings.push_back(
         "the last iteration was held back because triangles would fold; a finer surface, another "
@@ -110,9 +109,9 @@ Json registration_json(const Registration& found, const RegistrationVerdict& ver
   Json json{{"schema", "trunk.register/1"}, {"status", verdict.status}, {"message", verdict.message}};
   json["similarity"] = {
       {"scale", s.scale},
-      {"rotation_deg", s.angle() / one_degree},
-      {"translation_mm", {s.shift.x() / millimetre, s.shift.y() / millimetre, s.shift.z() / millimetre}},
-      {"rms_mm", found.alignment.rms / millimetre}};
+      {"rotation_deg", degrees_per_rad * s.angle()},
+      {"translation_mm", {mm_per_m * s.shift.x(), mm_per_m * s.shift.y(), mm_per_m * s.shift.z()}},
+      {"rms_mm", mm_per_m * found.alignment.rms}};
   json["regions"] = Json::array();
   for (const RegionFit& fit : found.fits)
     json["regions"].push_back({{"target", fit.target},
@@ -121,24 +120,24 @@ Json registration_json(const Registration& found, const RegistrationVerdict& ver
                                {"to_target_with_extrapolated", distances_json(fit.to_target_all)},
                                {"from_target", distances_json(fit.from_target)},
                                {"with_data_percent", 100.0 * fit.with_data}});
-  json["lung_volume_aligned_ml"] = found.aligned.lung / millilitre;
-  json["lung_volume_matched_ml"] = found.matched.lung / millilitre;
-  json["lung_volume_ml"] = found.final.lung / millilitre;
-  json["abdominal_volume_aligned_ml"] = found.aligned.abdomen / millilitre;
-  json["abdominal_volume_ml"] = found.final.abdomen / millilitre;
-  json["lungs_given_ml"] = found.lungs_given > 0.0 ? Json(found.lungs_given / millilitre) : Json();
-  json["apposition_length_mm"] = found.apposition_length / millimetre;
+  json["lung_volume_aligned_ml"] = ml_per_m3 * found.aligned.lung;
+  json["lung_volume_matched_ml"] = ml_per_m3 * found.matched.lung;
+  json["lung_volume_ml"] = ml_per_m3 * found.final.lung;
+  json["abdominal_volume_aligned_ml"] = ml_per_m3 * found.aligned.abdomen;
+  json["abdominal_volume_ml"] = ml_per_m3 * found.final.abdomen;
+  json["lungs_given_ml"] = found.lungs_given > 0.0 ? Json(ml_per_m3 * found.lungs_given) : Json();
+  json["apposition_length_mm"] = mm_per_m * found.apposition_length;
   json["apposition_length_wanted_mm"] =
-      found.apposition_wanted ? Json(*found.apposition_wanted / millimetre) : Json();
+      found.apposition_wanted ? Json(mm_per_m * *found.apposition_wanted) : Json();
   json["costal_insertion_found_percent"] = 100.0 * found.insertion_covered;
   json["extrapolated_regions"] = found.extrapolated;
   json["particles"] = found.mesh.rest.size();
   json["particles_without_data"] = found.particles_without_data;
-  json["smallest_angle_deg"] = found.quality.smallest_angle / one_degree;
+  json["smallest_angle_deg"] = degrees_per_rad * found.quality.smallest_angle;
   json["folded_triangles"] = found.quality.folded;
   json["iterations"] = found.iterations;
   json["alignment_iterations"] = found.alignment.iterations;
-  json["last_movement_mm"] = found.moved / millimetre;
+  json["last_movement_mm"] = mm_per_m * found.moved;
   json["held_back"] = found.held_back;
   return json;
 }
@@ -148,8 +147,8 @@ std::string registration_text(const Registration& found, const RegistrationVerdi
   std::string text = fmt::format(
       "{}: scale {:.3f}, turned {:.1f} degrees, shifted ({:.0f}, {:.0f}, {:.0f}) mm, then matched in {} "
       "iterations\n",
-      verdict.done() ? "Registered" : "Not as wanted", s.scale, s.angle() / one_degree,
-      s.shift.x() / millimetre, s.shift.y() / millimetre, s.shift.z() / millimetre, found.iterations);
+      verdict.done() ? "Registered" : "Not as wanted", s.scale, degrees_per_rad * s.angle(),
+      mm_per_m * s.shift.x(), mm_per_m * s.shift.y(), mm_per_m * s.shift.z(), found.iterations);
   text += fmt::format("{:<30} {:^31} | {:^31} |\n", "mm", "trunk to surface", "surface to trunk");
   text += fmt::format("{:<30}", "");
   for (int direction = 0; direction < 2; ++direction)
@@ -159,9 +158,8 @@ std::string registration_text(const Registration& found, const RegistrationVerdi
   text += fmt::format(
       "lung {:.0f} ml (aligned {:.0f}, matched {:.0f}), abdomen {:.0f} ml (aligned {:.0f}), zone of "
       "apposition {:.1f} mm\n",
-      found.final.lung / millilitre, found.aligned.lung / millilitre, found.matched.lung / millilitre,
-      found.final.abdomen / millilitre, found.aligned.abdomen / millilitre,
-      found.apposition_length / millimetre);
+      ml_per_m3 * found.final.lung, ml_per_m3 * found.aligned.lung, ml_per_m3 * found.matched.lung,
+      ml_per_m3 * found.final.abdomen, ml_per_m3 * found.aligned.abdomen, mm_per_m * found.apposition_length);
   text +=
       found.insertion_covered > 0.0
           ? fmt::format(
@@ -172,7 +170,7 @@ std::string registration_text(const Registration& found, const RegistrationVerdi
                       found.extrapolated.empty() ? "no region" : listed(found.extrapolated),
                       found.particles_without_data, found.mesh.rest.size());
   return text + fmt::format("smallest angle {:.1f} degrees, {} triangles folded\n",
-                            found.quality.smallest_angle / one_degree, found.quality.folded);
+                            degrees_per_rad * found.quality.smallest_angle, found.quality.folded);
 }
 
 }  // namespace trunk

@@ -294,8 +294,9 @@ TEST_CASE("Resets at every third breath are undone in noise", "[unit][breaths]")
 TEST_CASE("A signal cut off at its top is noted with its share", "[unit][breaths]") {
   Trace trace = volume_trace({});
   for (double& v : trace.value) v = std::min(v, 425e-6);
-  CHECK_THAT(segment_breaths(trace).notes.at(0),
-             Contains("% of the samples lie at the highest value, 425 ml: the signal is clipped, or held there"));
+  CHECK_THAT(
+      segment_breaths(trace).notes.at(0),
+      Contains("% of the samples lie at the highest value, 425 ml: the signal is clipped, or held there"));
   for (const auto& note : segment_breaths(volume_trace({})).notes) CHECK_THAT(note, !Contains("clipped"));
 }
 
