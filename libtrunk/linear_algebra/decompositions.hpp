@@ -4,8 +4,9 @@
 
 namespace trunk {
 
-// What needs a decomposition of Eigen is compiled here once: each source with a decomposition of its own
-// takes seconds longer to build.
+// Decompositions of matrices of any size are compiled here once: each source with one of its own takes
+// seconds longer to build. Matrices of a fixed size stay where they are, since Eigen rounds them in another
+// order.
 
 struct SymmetricEigen {
   Eigen::VectorXd values;   // [n] ascending

@@ -1,10 +1,10 @@
 #include <fmt/format.h>
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
 
 #include "errors/input_error.hpp"
-#include "linear_algebra/decompositions.hpp"
 #include "model/model.hpp"
 
 namespace trunk {
@@ -45,7 +45,7 @@ void derive_inertia(const Model& model, RigidBody& body) {
     const Eigen::Vector3d r = column(model.rest[at(i)]) - centre;
     inertia += model.mass[at(i)] * (r.squaredNorm() * Eigen::Matrix3d::Identity() - r * r.transpose());
   }
-  const Eigen::Vector3d principal = symmetric_eigen(inertia).values;
+  const Eigen::Vector3d principal = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(inertia).eigenvalues();
   if (!(principal(0) > 1e-9 * principal(2)))
     throw InputError({}, fmt::format("the particles of the free rigid body '{}' lie on a line", body.name),
                      "three or more that do not");

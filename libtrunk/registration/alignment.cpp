@@ -1,9 +1,9 @@
 #include "registration/alignment.hpp"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 
-#include "linear_algebra/decompositions.hpp"
 #include "math/units.hpp"
 #include "registration/surface_samples.hpp"
 #include "registration/target_surface.hpp"
@@ -137,7 +137,7 @@ Similarity sliding(const Similarity& at, const Matches& matches) {
       for (const Vec3d& axis : {Vec3d{1, 0, 0}, Vec3d{0, 1, 0}, Vec3d{0, 0, 1}}) add(x - centre, axis, off);
   }
   normal.diagonal() *= 1.0 + 1e-6;
-  const Row step = solved_symmetric(normal, right);
+  const Row step = normal.ldlt().solve(right);
   const Rotation<double> turned = small_rotation(Vec3d{step[0], step[1], step[2]});
   const double grown = 1.0 + std::clamp(step[6], -0.2, 0.2);
   return {at.scale * grown, then(at.rotation, turned),

@@ -1,12 +1,12 @@
 #include "registration/insertion_line.hpp"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <numeric>
 
 #include "errors/input_error.hpp"
-#include "linear_algebra/decompositions.hpp"
 #include "math/median.hpp"
 
 namespace trunk {
@@ -68,7 +68,7 @@ Curve fitted_curve(const std::vector<Low>& points, std::vector<double> weight, b
       normal += weight[i] * row * row.transpose();
       right += weight[i] * points[i].height * row;
     }
-    curve.coefficients = solved_symmetric(normal, right);
+    curve.coefficients = normal.ldlt().solve(right);
     std::vector<double> above;
     for (std::size_t i = 0; i < points.size(); ++i) {
       above.push_back(points[i].height - basis_at(points[i].turns, rising).dot(curve.coefficients));

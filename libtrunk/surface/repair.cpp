@@ -1,11 +1,11 @@
 #include "surface/repair.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
 
-#include "linear_algebra/decompositions.hpp"
 #include "surface/facets.hpp"
 #include "surface/merge_points.hpp"
 #include "surface/sets.hpp"
@@ -124,7 +124,7 @@ double flatness(const MeasuredSurface& s) {
     const Eigen::Vector3d d = Eigen::Vector3d(p.x(), p.y(), p.z()) - mean;
     spread += d * d.transpose();
   }
-  const Eigen::Vector3d values = symmetric_eigen(spread).values;
+  const Eigen::Vector3d values = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvalues();
   return values[2] > 0.0 ? std::sqrt(std::max(values[0], 0.0) / values[2]) : 0.0;
 }
 

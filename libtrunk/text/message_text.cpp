@@ -6,6 +6,23 @@
 #include <system_error>
 
 namespace trunk {
+namespace {
+
+/// Returns how many bytes the UTF-8 character at the start of the text has; 1 if it is none.
+std::size_t character_bytes(std::string_view text) {
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  const std::size_t bytes = byte(0) >= 0xF0 ? 4 : byte(0) >= 0xE0 ? 3 : byte(0) >= 0xC2 ? 2 : 1;
+  if (byte(0) > 0xF4 || bytes > text.size()) return 1;
+  for (std::size_t i = 1; i < bytes; ++i)
+    if ((byte(i) & 0xC0) != 0x80) return 1;
+  // Longer forms than needed, surrogates, and numbers beyond Unicode are none either.
+  if (bytes > 2 && ((byte(0) == 0xE0 && byte(1) < 0xA0) || (byte(0) == 0xED && byte(1) >= 0xA0) ||
+                    (byte(0) == 0xF0 && byte(1) < 0x90) || (byte(0) == 0xF4 && byte(1) >= 0x90)))
+    return 1;
+  return bytes;
+}
+
+}  // namespace
 
 std::string number_text(double value, int digits) {
   // Large numbers keep their digits: 1400, not 1.4e+03.
@@ -19,12 +36,18 @@ std::string number_text(double value, int digits) {
 std::string without_controls(std::string_view text) {
   std::string clean;
   clean.reserve(text.size());
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const auto byte = static_cast<unsigned char>(text[i]);
-    const auto next = i + 1 < text.size() ? static_cast<unsigned char>(text[i + 1]) : 0u;
-    const bool is_c1 = byte == 0xC2 && next >= 0x80 && next < 0xA0;  // U+0080 to U+009F in UTF-8
-    if (is_c1) ++i;
-    clean += byte == '\n' ? ' ' : is_c1 || byte < 0x20 || byte == 0x7F ? '?' : text[i];
+  for (std::size_t i = 0; i < text.size();) {
+    const std::string_view character = text.substr(i, character_bytes(text.substr(i)));
+    const auto first = static_cast<unsigned char>(character[0]);
+    const bool is_c1 = character.size() == 2 && first == 0xC2 &&
+                       static_cast<unsigned char>(character[1]) < 0xA0;  // U+0080 to U+009F
+    if (first == '\n')
+      clean += ' ';
+    else if (is_c1 || first < 0x20 || first == 0x7F || (first >= 0x80 && character.size() == 1))
+      clean += '?';
+    else
+      clean += character;
+    i += character.size();
   }
   return clean;
 }

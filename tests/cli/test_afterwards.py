@@ -75,7 +75,7 @@ class Diff(Afterwards):
         self.refused("diff", "a.h5", "fit.h5", says="fit.h5: is a fit; expected a run, like the first file")
         self.refused("diff", "fit.h5", "a.h5", says="a.h5: is a run; expected a fit, like the first file")
         self.refused("diff", "a.h5", "none.h5", says="none.h5: no such file")
-        self.refused("diff", "a.h5", says="B")
+        self.refused("diff", "a.h5", says="SECOND")
         self.refused("diff", "a.h5", "a.h5", "--tolerance", "-1", says="--tolerance")
         self.refused("diff", "a.h5", "a.h5", "--absolute", "nan", says="--absolute")
 

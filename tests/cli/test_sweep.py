@@ -313,7 +313,7 @@ class Shards(SweepTest):
 
     def test_a_shard_that_makes_no_sense(self):
         for shard in ("0/2", "3/2", "1", "1/", "/2", "a/b", "1/2/3", "-1/2"):
-            self.refused("sweep", self.muscles(2), "-o", "d", f"--shard={shard}", says="--shard .*expected k/n")
+            self.refused("sweep", self.muscles(2), "-o", "d", f"--shard={shard}", says="--shard .*expected K/N")
         self.refused("merge", "d", says="d: holds no sweep")
 
 

@@ -18,6 +18,15 @@ TEST_CASE("Control characters of the input do not reach the text of an error", "
   const InputError error({"a\x1b[2Jb.csv", 1}, "'\x07\r' found", "one\nline", "\xc2\x9b!\x7f");
   CHECK(std::string(error.what()) == "a?[2Jb.csv:1: '?\?' found; expected one line; ?!?");
   CHECK(error.mistake().at.file == "a\x1b[2Jb.csv");
+  // Bytes that are not UTF-8 would break the output for whoever reads it.
+  CHECK(text_of({{},
+                 "a\xe1t \xff gr\xc3\xb6\xc3\x9f"
+                 "er \xe2\x82\xac \xed\xa0\x80",
+                 "",
+                 "",
+                 {}}) ==
+        "a?t ? gr\xc3\xb6\xc3\x9f"
+        "er \xe2\x82\xac ???");
 }
 
 TEST_CASE("Mistakes are gathered once each and sorted by file and line", "[unit]") {
