@@ -80,10 +80,12 @@ std::vector<TurningPoint> breath_turning_points(std::span<const double> volume, 
       std::min(std::max(least_of_range * range, least_of_noise * noise_deviation(volume)), 0.1 * range);
   std::vector<TurningPoint> best;
   double regular = -2;
-  for (double first = threshold_of_rise * range; first > least; first /= 2) {
+  double first = threshold_of_rise * range;
+  while (first > least) {
     auto turns = settled(volume, first);
     const double found = regular_part(volume, turns, longest);
     if (found > regular + clearly_more) regular = found, best = std::move(turns);
+    first /= 2.0;
   }
   return best;
 }
