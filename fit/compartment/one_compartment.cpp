@@ -46,11 +46,14 @@ double residual_sum(double log_rate, void* problem) {
 /// bracket.
 double best_on_grid(Problem& problem, double low, double high, double spacing) {
   double best = low, lowest = residual_sum(low, &problem);
-  for (double x = low + spacing; x <= high; x += spacing)
+  double x = low + spacing;
+  while (x <= high) {
     if (const double value = residual_sum(x, &problem); value < lowest) {
       best = x;
       lowest = value;
     }
+    x += spacing;
+  }
   return best;
 }
 

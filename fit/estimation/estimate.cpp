@@ -191,7 +191,8 @@ void add_uncertainty(Objective& objective, const EstimationOptions& options, std
     return false;
   };
   const int points = 4;
-  if (options.profiles && affordable(space.asked_for() * 3 * (2 * points), "profiles", "--profiles"))
+  if (options.profiles &&
+      affordable(space.asked_for() * 3 * static_cast<std::size_t>(2 * points), "profiles", "--profiles"))
     e.profiles = profiles(objective, *e.local, points);
   apply_profiles(e.profiles, options.loss, *e.uncertainty);
   const auto side = static_cast<std::size_t>(options.surface_points);

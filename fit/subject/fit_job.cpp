@@ -25,7 +25,7 @@ MeasuredBreath chosen_breath(const Segmentation& s, const std::string& which,
   if (std::from_chars(which.data(), end, number).ptr != end || number == 0)
     throw InputError({"--breath " + which}, "this is no breath",
                      "mean, each or the number of a breath, from 1");
-  const MeasuredBreath breath = single_breath(s, number);
+  MeasuredBreath breath = single_breath(s, number);
   if (!s.breaths[number - 1].kept)
     notes.push_back(fmt::format("breath {} would not be part of the mean breath: {}", number,
                                 s.breaths[number - 1].reason));

@@ -50,7 +50,7 @@ void make_folder(const fs::path& path) {
   require_writable_output(path / "fingerprint", true);
 }
 
-fs::path without_slash(fs::path path) {
+fs::path without_slash(const fs::path& path) {
   return path.filename().empty() ? path.parent_path() : path;  // DIR/
 }
 
@@ -75,8 +75,8 @@ bool holds_another(const fs::path& folder, const std::string& mine, bool force) 
 
 }  // namespace
 
-SweepFolder::SweepFolder(fs::path path, const SweepDesign& design, const Shard& shard, bool force)
-    : path_(without_slash(std::move(path))), fingerprint_(fingerprint_of(design)) {
+SweepFolder::SweepFolder(const fs::path& path, const SweepDesign& design, const Shard& shard, bool force)
+    : path_(without_slash(path)), fingerprint_(fingerprint_of(design)) {
   const bool replaces = holds_another(path_, fingerprint_, force);
   make_folder(path_);
   lock(shard.count == 1 || replaces ? LockKind::alone : LockKind::shared);
@@ -95,8 +95,8 @@ SweepFolder::SweepFolder(fs::path path, const SweepDesign& design, const Shard& 
   replace_file(path_ / "fingerprint", fingerprint_);
 }
 
-SweepFolder::SweepFolder(fs::path path)
-    : path_(without_slash(std::move(path))), fingerprint_(read_fingerprint(path_)) {
+SweepFolder::SweepFolder(const fs::path& path)
+    : path_(without_slash(path)), fingerprint_(read_fingerprint(path_)) {
   runs_in(fingerprint_, path_);
   const auto lines = lines_from(1, fingerprint_);
   if (lines.empty() || lines[0] != program_text())

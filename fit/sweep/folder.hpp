@@ -33,11 +33,11 @@ class SweepFolder {
   /// Opens or creates the folder and locks it. With `force`, the content of another sweep is deleted. Throws
   /// InputError if the folder belongs to another sweep (design, scenarios, subjects or program version
   /// differ) and `force` is false, if it is in use, or if it cannot be made or written to.
-  SweepFolder(std::filesystem::path path, const SweepDesign& design, const Shard& shard, bool force);
+  SweepFolder(const std::filesystem::path& path, const SweepDesign& design, const Shard& shard, bool force);
 
   /// Opens a folder and locks it. Throws InputError if it holds no sweep of this program's version, or if it
   /// is in use.
-  explicit SweepFolder(std::filesystem::path path);
+  explicit SweepFolder(const std::filesystem::path& path);
 
   const std::filesystem::path& path() const noexcept { return path_; }
   std::filesystem::path run_file(std::size_t run) const;

@@ -43,8 +43,7 @@ double restricted_likelihood(const Eigen::VectorXd& residuals, const Eigen::Matr
 
 Eigen::MatrixXd basis_of(const Eigen::MatrixXd& jacobian) {
   const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(jacobian);
-  const Eigen::MatrixXd q = qr.householderQ() * Eigen::MatrixXd::Identity(jacobian.rows(), qr.rank());
-  return q;
+  return qr.householderQ() * Eigen::MatrixXd::Identity(jacobian.rows(), qr.rank());
 }
 
 }  // namespace

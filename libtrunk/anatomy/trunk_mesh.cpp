@@ -141,11 +141,10 @@ std::vector<int> selected_particles(const TrunkMesh& mesh, const std::string& te
     const std::size_t end = std::min(text.find(',', begin), text.size());
     const std::string item = trimmed(text.substr(begin, end - begin));
     range.clear();
-    if (item == "*" && add_range(fmt::format("0-{}", count - 1), range, count))
-      particles.insert(range.begin(), range.end());
-    else if (const auto& region = mesh.named(item); !region.empty())
+    const bool all = item == "*";
+    if (const auto& region = mesh.named(item); !all && !region.empty())
       particles.insert(region.begin(), region.end());
-    else if (add_range(item, range, count))
+    else if (add_range(all ? fmt::format("0-{}", count - 1) : item, range, count))
       particles.insert(range.begin(), range.end());
     else
       throw InputError(

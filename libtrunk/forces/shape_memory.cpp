@@ -31,7 +31,8 @@ void begin_upward(RingTable& rings, std::span<const Vec3d> rest) {
   for (const RingTable::Group& group : rings.groups)
     for (int r = group.first; r < group.last; ++r) {
       const Vec3d& particle = rest[static_cast<std::size_t>(rings.vertex[static_cast<std::size_t>(r)])];
-      const auto begin = rings.neighbour.begin() + group.first_neighbour + (r - group.first) * group.valence;
+      const auto begin = rings.neighbour.begin() + group.first_neighbour +
+                         static_cast<std::ptrdiff_t>(r - group.first) * group.valence;
       const auto toward = [&](Neighbour n) {
         const Vec3d d = n.in(rest)-particle;
         return (1.0 / norm(d)) * d;

@@ -71,9 +71,9 @@ std::vector<Vec3d> between(std::span<const Vec3d> from, std::span<const Vec3d> t
 /// Returns the share of the way on which no triangle folds or becomes too thin: 1, 1/2, 1/4, 1/8 or 0.
 double sound_share(const TrunkMesh& placed, std::span<const Vec3d> from, std::span<const Vec3d> to) {
   constexpr double least = 0.1;
-  for (double share = 1.0; share > least; share *= 0.5)
-    if (mesh_quality(placed, between(from, to, share)).sound()) return share;
-  return 0.0;
+  double share = 1.0;
+  while (share > least && !mesh_quality(placed, between(from, to, share)).sound()) share *= 0.5;
+  return share > least ? share : 0.0;
 }
 
 double farthest(std::span<const Vec3d> from, std::span<const Vec3d> to) {

@@ -35,15 +35,16 @@ std::vector<SurfaceSample> surface_samples(std::span<const Vec3d> points, std::s
   std::vector<SurfaceSample> samples;
   for (std::size_t index = 0; index < triangles.size(); ++index) {
     const Triangle& t = triangles[index];
-    const double parts = std::clamp(std::ceil(longest_edge(points, t) / spacing), 1.0, most_parts);
+    const int parts =
+        static_cast<int>(std::clamp(std::ceil(longest_edge(points, t) / spacing), 1.0, most_parts));
     const double area = 0.5 * norm(twice_area_vector(points, t)) / (parts * parts);
     const auto add = [&](double u, double v) {
       samples.push_back({static_cast<int>(index), {1.0 - (u + v) / parts, u / parts, v / parts}, area});
     };
-    for (double i = 0.0; i < parts; ++i)
-      for (double j = 0.0; i + j < parts; ++j) {
+    for (int i = 0; i < parts; ++i)
+      for (int j = 0; i + j < parts; ++j) {
         add(i + 1.0 / 3.0, j + 1.0 / 3.0);
-        if (i + j + 1.0 < parts) add(i + 2.0 / 3.0, j + 2.0 / 3.0);
+        if (i + j + 1 < parts) add(i + 2.0 / 3.0, j + 2.0 / 3.0);
       }
   }
   return samples;

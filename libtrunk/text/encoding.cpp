@@ -104,7 +104,8 @@ std::string utf8_of(std::string bytes) {
   if (view.starts_with("\xFE\xFF"sv)) return decode_utf16(view.substr(2), true);
   if (const Parity parity = zeros(view); parity != Parity::none)
     return decode_utf16(view, parity == Parity::even);
-  return is_utf8(view) ? bytes : decode_windows_1252(view);
+  if (is_utf8(view)) return bytes;
+  return decode_windows_1252(view);
 }
 
 }  // namespace trunk

@@ -11,8 +11,7 @@ namespace fs = std::filesystem;
 fs::path shipped_file(const fs::path& place, const char* option) {
   std::error_code ignored;  // what cannot be looked at is not there
   const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
-  const fs::path beside = program.parent_path().parent_path() / place,
-                 here = fs::current_path(ignored) / place;
+  fs::path beside = program.parent_path().parent_path() / place, here = fs::current_path(ignored) / place;
   if (!program.empty() && fs::exists(beside, ignored)) return beside;
   if (fs::exists(here, ignored)) return here;
   throw InputError(Place{}, "neither " + beside.string() + " nor " + here.string() + " exists", "",

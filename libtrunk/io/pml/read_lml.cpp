@@ -121,7 +121,7 @@ std::variant<Axes, Toward> direction_of(const XmlDocument& xml, pugi::xml_node d
 
 std::string unit_of(const XmlDocument& xml, pugi::xml_node unit, pugi::xml_node load, Load::Type type) {
   xml.allow_attributes(unit, {});
-  const std::string name = xml.text(unit);
+  std::string name = xml.text(unit);
   if (!si_factor(type, name))
     xml.fail(unit ? unit : load, fmt::format("{} in unit {}", name_of(type), excerpt(name)), unit_names(type),
              "correct it");

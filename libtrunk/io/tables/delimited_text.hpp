@@ -23,7 +23,7 @@ class DelimitedText {
 
   static constexpr std::size_t max_rows = 10'000'000;
 
-  using Layout = TableLayout (*)(TextLines);
+  using Layout = TableLayout (*)(const TextLines&);
 
   /// Reads the header; throws as the layout does.
   DelimitedText(std::string source, std::string text, Layout layout = &table_layout)

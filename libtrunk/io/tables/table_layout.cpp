@@ -233,11 +233,11 @@ class LayoutFinder {
 
 }  // namespace
 
-TableLayout table_layout(TextLines lines) {
+TableLayout table_layout(const TextLines& lines) {
   return LayoutFinder(lines).find();
 }
 
-TableLayout list_layout(TextLines lines) {
+TableLayout list_layout(const TextLines& lines) {
   return LayoutFinder(lines).list();
 }
 

@@ -28,10 +28,10 @@ struct TableLayout {
 ///
 /// Throws InputError if there are only blank lines and comments, if the header is a line of empty cells, or
 /// if a quote in the header is not closed.
-TableLayout table_layout(TextLines lines);
+TableLayout table_layout(const TextLines& lines);
 
 /// Finds the parts of a list, whose rows need not hold numbers: the first line is the header, and all other
 /// lines are rows. Throws as table_layout does.
-TableLayout list_layout(TextLines lines);
+TableLayout list_layout(const TextLines& lines);
 
 }  // namespace trunk

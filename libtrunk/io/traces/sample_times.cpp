@@ -107,7 +107,7 @@ void check_rate(double step, const RawSamples& samples, const ColumnName* column
 
 void check_increases(const Times& time, const RawSamples& samples, const ColumnName& column) {
   Mistakes mistakes;
-  double last = -INFINITY;
+  double last = -HUGE_VAL;
   for (std::size_t i = 0; i < time.size(); ++i) {
     if (time[i] <= last)
       mistakes.add(samples.mistake_at(

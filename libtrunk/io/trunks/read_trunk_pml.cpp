@@ -36,8 +36,8 @@ class TrunkReader {
         fail(fmt::format("there is no component '{}'", name), "a trunk such as `trunk export --pml` writes");
     try {
       const int particles = static_cast<int>(mesh().rest.size());
-      Surface("abdomen", mesh().abdomen, particles);
-      Surface("lung", mesh().lung, particles);
+      const Surface abdomen("abdomen", mesh().abdomen, particles);
+      const Surface lung("lung", mesh().lung, particles);
       require_anatomy(mesh());
     } catch (const InputError& error) {
       rethrow_at({file_}, error);

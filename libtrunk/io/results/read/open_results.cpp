@@ -63,7 +63,7 @@ std::string require_schema(const fs::path& path, hid_t root) {
   if (schema.rfind("trunk.", 0) != 0)
     refuse(fmt::format("is an HDF5 file of another program (it holds {})", names_in(root)),
            "a results file of trunk");
-  const std::string kind = schema.substr(6);
+  std::string kind = schema.substr(6);
   if (kind != "run" && kind != "fit" && kind != "sweep") {
     refuse(fmt::format("has schema '{}'", schema), "trunk.run, trunk.fit or trunk.sweep");
   }

@@ -26,7 +26,8 @@ using hdf5::write_attribute;
 std::string lines(const std::vector<std::pair<std::string, std::string>>& pairs, bool second_first) {
   std::string text;
   for (const auto& [first, second] : pairs) {
-    text += (text.empty() ? "" : "\n") + (second_first ? second + "  " + first : first + " " + second);
+    if (!text.empty()) text += '\n';
+    text += second_first ? fmt::format("{}  {}", second, first) : fmt::format("{} {}", first, second);
   }
   return text;
 }

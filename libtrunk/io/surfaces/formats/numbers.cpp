@@ -57,7 +57,9 @@ double number_at(const char* at, NumberType type, bool big_endian) noexcept {
                            : std::bit_cast<double>(bits);
   if (type.kind == NumberType::Kind::natural) return static_cast<double>(bits);
   const auto unused = static_cast<unsigned>(64 - 8 * type.bytes);  // shifting up and down extends the sign
-  return static_cast<double>(static_cast<std::int64_t>(bits << unused) >> unused);
+  // clang-tidy cannot see that a number has one byte or more. NOLINTNEXTLINE
+  const std::uint64_t raised = bits << unused;
+  return static_cast<double>(static_cast<std::int64_t>(raised) >> unused);
 }
 
 }  // namespace trunk
