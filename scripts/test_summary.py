@@ -54,8 +54,8 @@ def main():
     ran = [(folder, *test) for folder in folders for test in tests(folder)]
     print_slowest("The slowest tests", [(seconds, f"{folder}: {name}") for folder, seconds, name, _ in ran])
     skipped = [f"{folder}: {line}" for folder, _, name, output in ran for line in skips(name, output)]
-    skipped += [f"{folder}: shared: the shared data are absent" for folder, _, name, output in ran
-                if name == "shared" and not re.search(r"test cases?:|All tests passed", output)]
+    skipped += [f"{folder}: {name}: the shared data are absent" for folder, _, name, output in ran
+                if name.startswith("shared_") and not re.search(r"test cases?:|All tests passed", output)]
     print("\n== Skipped tests" if skipped else "\n== No test was skipped")
     print("\n".join(skipped))
 

@@ -114,12 +114,15 @@ void check_trace(const CheckRequest& request, Findings& findings) {
   });
 }
 
+/// Returns the mistake with the place that it names: a file and a line, or an option as it was typed.
 Json problem_json(const Mistake& mistake) {
   const Place& at = mistake.at;
+  const bool is_option = at.file.starts_with("--");
   Mistake without_place = mistake;
   without_place.at = {};
-  return {{"file", at.file.empty() ? Json(nullptr) : Json(at.file)},
+  return {{"file", at.file.empty() || is_option ? Json(nullptr) : Json(at.file)},
           {"line", at.line == 0 ? Json(nullptr) : Json(at.line)},
+          {"option", is_option ? Json(at.file) : Json(nullptr)},
           {"text", text_of(without_place)}};
 }
 
@@ -161,13 +164,18 @@ Exit check_command(const Common& common, CheckRequest request) {
 }  // namespace
 
 void add_check(CLI::App& app, Common& common, Run& run) {
-  auto* command =
-      app.add_subcommand("check", "List all mistakes in a scenario and a trace; simulate nothing");
+  auto* command = app.add_subcommand(
+      "check", "Lists all mistakes in a scenario, a trace and the options of a fit, and simulates nothing.");
   const auto request = std::make_shared<CheckRequest>();
   add_scenario_option(*command, request->fit);
   add_subject_options(*command, request->fit);
-  command->add_flag("--keys", request->keys, "list all keys of a scenario with units, limits and defaults");
-  command->add_flag("--json", common.json, "print one JSON object");
+  command->add_flag("--keys", request->keys, "Lists all keys of a scenario with units, limits and defaults.");
+  add_json_flag(*command, common);
+  command->footer(
+      "Examples:\n"
+      "  trunk check scenarios/healthy.toml --trace recording.csv\n"
+      "  trunk check recording.csv --flow 2 --unit L/min\n"
+      "  trunk check --keys");
   command->callback(
       [&common, &run, request] { run = [&common, request] { return check_command(common, *request); }; });
 }

@@ -56,23 +56,39 @@ Exit fit_command(const Common& common, FitRequest request) {
 }  // namespace
 
 void add_fit(CLI::App& app, Common& common, Run& run) {
-  auto* command = app.add_subcommand("fit", "Fit k_elasticity and k_muscle to a lung volume trace");
+  auto* command = app.add_subcommand(
+      "fit", "Fits k_elasticity and k_muscle to a lung-volume trace, and says what the trace determines.");
   const auto r = std::make_shared<FitRequest>();
   add_scenario_option(*command, *r);
-  command->add_option("--cohort", r->cohort,
-                      "fit many subjects: a table (CSV) with the columns subject and trace, and a column "
-                      "scenario, or the long "
-                      "name of an option below, for each that differs from subject to subject");
-  command->add_option("-o,--output", r->output, "result file (HDF5); with --cohort, the output folder")
-      ->required();
-  add_subject_options(*command, *r);
-  command->add_option("--save-scenario", r->save_scenario,
-                      "write the scenario with the fitted values to this file");
   command
-      ->add_option("-j,--threads", r->plan.estimation.execution.threads, "number of threads [one per core]")
+      ->add_option("-o,--output", r->output,
+                   "Writes the result to this file (HDF5). With --cohort, it is a folder.")
+      ->type_name("FILE")
+      ->required();
+  command
+      ->add_option(
+          "--cohort", r->cohort,
+          "Fits many subjects: a table (CSV) with the columns subject and trace. A column scenario, or the "
+          "long name of an option of one subject, gives what differs between subjects.")
+      ->type_name("FILE");
+  add_subject_options(*command, *r);
+  command
+      ->add_option("--save-scenario", r->save_scenario,
+                   "Writes the scenario with the fitted values to this file.")
+      ->type_name("FILE");
+  command
+      ->add_option("-j,--threads", r->plan.estimation.execution.threads,
+                   "Uses this many threads. [one a core]")
+      ->type_name("N")
       ->check(CLI::Range(1u, 1024u));
-  command->add_flag("--json", common.json, "print one JSON object");
-  command->add_flag("--force", common.force, "replace result files that exist");
+  add_json_flag(*command, common);
+  add_force_flag(*command, common, "Replaces result files that exist.");
+  command->footer(
+      "Examples:\n"
+      "  trunk fit recording.csv -o fit.h5\n"
+      "  trunk fit recording.csv --flow \"Resp flow\" --unit L/min -o fit.h5\n"
+      "  trunk fit scenarios/healthy.toml --trace recording.csv --starts 8 -o fit.h5\n"
+      "  trunk fit --cohort subjects.csv -o cohort");
   command->callback([&common, &run, r, command] {
     const std::string typed = subject_options_text(*command);
     run = [&common, r, typed] {

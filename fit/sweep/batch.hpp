@@ -32,9 +32,14 @@ SweepRow failed_row(std::size_t run, const std::string& status, const std::strin
 SweepRow invalid_row(const SweepDesign& design, std::size_t run, const std::exception& error);
 
 /// When to give up runs.
+/// Returns the seconds since some moment in the past. It never goes back.
+using ClockS = std::function<double()>;
+double steady_clock_s();
+
 struct RunLimits {
   double timeout_s = 0.0;           // for one run, or on average for several side by side; 0: no limit
   std::function<bool()> cancelled;  // called while runs take longer than a second
+  ClockS clock_s = steady_clock_s;  // what times are measured by; tests have their own
 };
 
 /// A run that is ready to be simulated.

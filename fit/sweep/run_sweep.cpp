@@ -86,7 +86,7 @@ SweepOutcome run_sweep(const SweepDesign& design, const SweepFolder& folder, con
 
   Provenance provenance = provenance_of({}, options.argv);
   provenance.input_sha256 = folder.inputs();
-  const SweepSimulator simulator(design, provenance, {options.timeout_s, cancelled});
+  const SweepSimulator simulator(design, provenance, {options.timeout_s, cancelled, options.clock_s});
   const auto start = std::chrono::steady_clock::now();
   const auto keep = [&](std::vector<FinishedRun> finished) {
     if (finished.empty()) return;  // the batch took too long, so each of its runs is tried alone later

@@ -2,6 +2,7 @@
 
 #include <functional>
 
+#include "sweep/batch.hpp"
 #include "sweep/design.hpp"
 #include "sweep/folder.hpp"
 
@@ -13,7 +14,8 @@ struct SweepOptions {
   Shard shard;
   double timeout_s = 0.0;  // for one run, or on average for several side by side; 0: no limit
   bool retry_failed = false;
-  std::string argv;  // for provenance
+  std::string argv;                 // for provenance
+  ClockS clock_s = steady_clock_s;  // what timeout_s is measured by
 };
 
 /// Counts of the runs of the shard.

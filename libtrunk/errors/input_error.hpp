@@ -39,11 +39,6 @@ class InputError : public std::runtime_error {
   explicit InputError(Mistake mistake);
   InputError(Place at, std::string found, std::string expected = "", std::string remedy = "");
 
-  // To be replaced by the constructors above: texts in which all parts are joined.
-  explicit InputError(const std::string& text) : InputError(Place{}, text) {}
-  InputError(const std::string& file, std::size_t line, const std::string& text)
-      : InputError(Place{file, line}, text) {}
-
   /// Returns the first of mistakes().
   const Mistake& mistake() const noexcept { return mistakes_.front(); }
   /// Returns all mistakes of one pass over the input, at least one.

@@ -96,7 +96,8 @@ class AllAtOnce(TrunkTest):
         found = outcome.json()
         self.assertEqual(found["schema"], "trunk.check/1")
         self.assertEqual([(p["file"], p["line"]) for p in found["problems"]],
-                         [("s.toml", 1), ("s.toml", 3), ("s.toml", 6), ("t.csv", 1), ("t.csv", 1), ("--free beauty", None), (None, None)])
+                         [("s.toml", 1), ("s.toml", 3), ("s.toml", 6), ("t.csv", 1), ("t.csv", 1), (None, None), (None, None)])
+        self.assertEqual([p["option"] for p in found["problems"]], 5 * [None] + ["--free beauty", None])
         self.assertRegex(found["problems"][1]["text"], r"\Atime.dt_ms is 0; expected")
 
     def test_other_commands_name_the_first_and_how_many(self):

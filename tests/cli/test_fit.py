@@ -135,7 +135,7 @@ class Fit(TrunkTest):
         run = self.succeeds("simulate", own, "-o", "r.h5", "--from", "f.h5")
         self.assertAlmostEqual(run["delta_v_ml"], 300, delta=1)
         for volume in ("5", "-300", "0.3", "nan"):
-            self.refused("fit", HEALTHY, "--tidal-volume-ml", volume, "-o", "g.h5", says="expected 10 to 10000 ml")
+            self.refused("fit", HEALTHY, "--tidal-volume-ml", volume, "-o", "g.h5", says="expected a number from 10 to 10000")
         self.refused("fit", HEALTHY, "-o", "g.h5", says="--trace FILE or --tidal-volume-ml")
 
     def test_what_is_not_known_is_not_called_nan(self):

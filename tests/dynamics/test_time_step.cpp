@@ -140,7 +140,7 @@ TEST_CASE("The chosen time step is stable and its volume is within 0.1 % of that
   }
 }
 
-TEST_CASE("Stiffer and finer models, and faster breaths, get shorter steps", "[property][dynamics]") {
+TEST_CASE("Stiffer and finer models, and faster breaths, get shorter steps", "[property][dynamics][long]") {
   Scenario stiff = shipped("healthy");
   stiff.parameters.elasticity *= 100.0;  // stable below 0.6 ms
   stiff.parameters.muscle *= 100.0;

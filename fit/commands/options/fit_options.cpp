@@ -4,6 +4,7 @@
 #include <cctype>
 #include <filesystem>
 
+#include "commands/commands.hpp"
 #include "commands/options/breath_options.hpp"
 #include "commands/options/shipped_files.hpp"
 #include "commands/options/trace_options.hpp"
@@ -20,13 +21,153 @@ bool names_scenario(const std::string& file) {
   return ending == ".toml";
 }
 
+void add_measurement_options(CLI::App& command, FitRequest& r) {
+  constexpr const char* group = "What is measured";
+  command
+      .add_option("--trace", r.trace,
+                  "Fits this recording of volume, flow or a belt: a text table, MATLAB, EDF or BDF.")
+      ->type_name("FILE")
+      ->group(group);
+  command
+      .add_option("--tidal-volume-ml", r.tidal_volume_ml,
+                  "Fits k_muscle to this tidal volume in ml instead of a trace.")
+      ->type_name("ML")
+      ->group(group)
+      ->check(within(10.0, 10000.0));
+  command
+      .add_option(
+          "--breath", r.breath,
+          "Says what is fitted: the mean breath (mean), the mean breath and then k_muscle of every breath "
+          "(each), or the breath with this number. [mean]")
+      ->type_name("mean|each|N")
+      ->group(group);
+  command
+      .add_option(
+          "--weights", r.weights,
+          "Weights all samples alike (uniform), or by the column of their deviations (sigma). [uniform]")
+      ->type_name("NAME")
+      ->group(group)
+      ->check(CLI::IsMember({"uniform", "sigma"}));
+}
+
+void add_parameter_options(CLI::App& command, FitRequest& r) {
+  constexpr const char* group = "What is fitted";
+  command
+      .add_option("--free", r.plan.free,
+                  "Fits these parameters. Separate them by commas; timing and shape each stand for several. "
+                  "[k_elasticity,k_muscle]")
+      ->type_name("NAMES")
+      ->group(group)
+      ->delimiter(',');
+  command
+      .add_option("--fix", r.plan.fixed,
+                  "Holds a parameter at a value, or at its value in the result of a fit. You can repeat it.")
+      ->type_name("NAME=VALUE|NAME=@FILE")
+      ->group(group)
+      ->take_all();
+  command
+      .add_option(
+          "--prior", r.priors,
+          "Says what is known of a parameter beforehand: its mean, and the factor of one standard deviation. "
+          "You can repeat it.")
+      ->type_name("NAME=MEAN:FACTOR")
+      ->group(group)
+      ->take_all();
+  command
+      .add_option("--set", r.settings,
+                  "Sets a key of the scenario. You can repeat it. `trunk check --keys` lists the keys.")
+      ->type_name("KEY=VALUE")
+      ->group(group)
+      ->take_all();
+  command
+      .add_option(
+          "--timing", r.timing,
+          "Estimates the timing of the activation along with the parameters (joint), takes it from the trace "
+          "and holds it (trace), or takes it from the scenario (scenario). [joint]")
+      ->type_name("NAME")
+      ->group(group)
+      ->check(CLI::IsMember({"joint", "trace", "scenario"}));
+  command.add_flag("--keep-timing", r.keep_timing, "Does the same as --timing scenario.")->group(group);
+}
+
+void add_search_options(CLI::App& command, FitRequest& r) {
+  constexpr const char* group = "How to search";
+  SearchOptions& search = r.plan.estimation.search;
+  command
+      .add_option("--loss", r.loss,
+                  "Charges residuals by their squares (squares), or charges outliers less (huber, student). "
+                  "[squares]")
+      ->type_name("NAME")
+      ->group(group)
+      ->check(CLI::IsMember({"squares", "huber", "student"}));
+  command
+      .add_option(
+          "--algorithm", search.algorithm,
+          "Searches by this method: " + algorithm_names() + ". [bobyqa; lm for more than 4 parameters]")
+      ->type_name("NAME")
+      ->group(group);
+  command
+      .add_option("--max-evaluations", search.max_evaluations,
+                  "Ends a search after this many simulations. [600]")
+      ->type_name("N")
+      ->group(group)
+      ->check(CLI::Range(1, 1000000));
+  command
+      .add_option("--starts", r.plan.estimation.starts,
+                  "Searches from this many places, which --seed spreads over the bounds. [1]")
+      ->type_name("N")
+      ->group(group)
+      ->check(CLI::Range(1, 10000));
+  command.add_option("--seed", search.seed, "Starts all random numbers from this seed. [1]")
+      ->type_name("N")
+      ->group(group);
+}
+
+void add_interval_options(CLI::App& command, FitRequest& r) {
+  constexpr const char* group = "Intervals";
+  command
+      .add_option("--surface", r.surface,
+                  "Computes the likelihood of two parameters at this many points along each. 0 computes "
+                  "none. [11, if "
+                  "it takes less than 10 s]")
+      ->type_name("N")
+      ->group(group)
+      ->check(CLI::Range(0, 200));
+  command.add_flag("--profiles", r.force_profiles, "Computes profiles even if they take longer than 10 s.")
+      ->group(group);
+  command
+      .add_option("--bootstrap", r.plan.estimation.bootstrap,
+                  "Fits this many resampled traces (block bootstrap). 0 resamples none. [0]")
+      ->type_name("N")
+      ->group(group)
+      ->check(CLI::Range(0, 100000));
+}
+
+void add_prediction_options(CLI::App& command, FitRequest& r) {
+  constexpr const char* group = "Predictions";
+  command
+      .add_option("--predict,--scenario", r.predict,
+                  "Predicts the subject's tidal volume in another scenario. You can repeat it.")
+      ->type_name("FILE")
+      ->group(group)
+      ->take_all()
+      ->allow_extra_args(false);
+  command
+      .add_option(
+          "--draws", r.draws,
+          "Draws this many sets of parameters for the interval of a prediction. 0 gives no interval. [64]")
+      ->type_name("N")
+      ->group(group)
+      ->check(CLI::Range(0, 100000));
+}
+
 }  // namespace
 
 void add_scenario_option(CLI::App& command, FitRequest& request) {
-  command.add_option(
-      "SCENARIO", request.scenario,
-      "scenario file, which ends in .toml [healthy.toml, which comes with trunk]; any other file "
-      "is taken as the trace");
+  command.add_option("SCENARIO", request.scenario,
+                     "The scenario file, whose name ends in .toml. Any other file is taken as the trace. "
+                     "[healthy.toml, which comes "
+                     "with trunk]");
 }
 
 std::vector<std::string> settle_files(FitRequest& request) {
@@ -48,80 +189,13 @@ std::vector<std::string> settle_files(FitRequest& request) {
 }
 
 void add_subject_options(CLI::App& command, FitRequest& r) {
-  SearchOptions& search = r.plan.estimation.search;
-  command.add_option("--trace", r.trace, "trace of volume, flow or belt (text table, MATLAB, EDF, BDF)");
+  add_measurement_options(command, r);
   add_signal_options(command, r.signal);
   add_breath_options(command, r.selection);
-  command.add_option("--tidal-volume-ml", r.tidal_volume_ml,
-                     "fit k_muscle to this one number instead of a trace");
-  command.add_option("--breath", r.breath,
-                     "what is fitted: mean (the mean breath), each (the mean breath, then k_muscle breath by "
-                     "breath), or the "
-                     "number of one breath [mean]");
-  command
-      .add_option("--predict,--scenario", r.predict,
-                  "another scenario, in which the subject's tidal volume is predicted; may be repeated")
-      ->take_all()
-      ->allow_extra_args(false);
-  command
-      .add_option(
-          "--draws", r.draws,
-          "how many sets of parameters are drawn for the interval of a prediction; 0: no interval [64]")
-      ->check(CLI::Range(0, 100000));
-  command
-      .add_option("--free", r.plan.free,
-                  "parameters to fit, separated by commas; timing and shape each stand for several "
-                  "[k_elasticity,k_muscle]")
-      ->delimiter(',');
-  command
-      .add_option("--fix", r.plan.fixed,
-                  "hold a parameter: name=value, or name=@fit.h5 for its value in that file; may be repeated")
-      ->take_all();
-  command
-      .add_option("--prior", r.priors,
-                  "what is known of a parameter beforehand: name=MEAN:FACTOR, one standard deviation; may be "
-                  "repeated")
-      ->take_all();
-  command
-      .add_option("--set", r.settings, "key=value, which replaces the value in the scenario; may be repeated")
-      ->take_all();
-  command
-      .add_option("--timing", r.timing,
-                  "timing of the activation: joint (it is estimated along with the parameters), trace (it is "
-                  "taken from the "
-                  "trace and held) or scenario (it is that of the scenario) [joint]")
-      ->check(CLI::IsMember({"joint", "trace", "scenario"}));
-  command.add_flag("--keep-timing", r.keep_timing, "the same as --timing scenario");
-  command
-      .add_option("--weights", r.weights,
-                  "weights of the samples: uniform, or sigma (by the deviation of each sample) [uniform]")
-      ->check(CLI::IsMember({"uniform", "sigma"}));
-  command
-      .add_option(
-          "--loss", r.loss,
-          "how residuals are charged: squares, or huber or student if outliers must count less [squares]")
-      ->check(CLI::IsMember({"squares", "huber", "student"}));
-  command.add_option("--algorithm", search.algorithm,
-                     "search method: " + algorithm_names() + " [bobyqa; lm for more than 4 parameters]");
-  command
-      .add_option("--max-evaluations", search.max_evaluations,
-                  "largest number of simulations in each search [600]")
-      ->check(CLI::Range(1, 1000000));
-  command
-      .add_option("--starts", r.plan.estimation.starts,
-                  "number of places from which a search starts; --seed spreads them [1]")
-      ->check(CLI::Range(1, 10000));
-  command.add_option("--seed", search.seed, "seed of all random numbers [1]");
-  command
-      .add_option("--surface", r.surface,
-                  "points of the likelihood surface along each of two parameters; 0: no surface [11, if it "
-                  "takes less than "
-                  "10 s]")
-      ->check(CLI::Range(0, 200));
-  command.add_flag("--profiles", r.force_profiles, "compute profiles even if they take longer than 10 s");
-  command
-      .add_option("--bootstrap", r.plan.estimation.bootstrap, "number of repeats of a block bootstrap [0]")
-      ->check(CLI::Range(0, 100000));
+  add_parameter_options(command, r);
+  add_search_options(command, r);
+  add_interval_options(command, r);
+  add_prediction_options(command, r);
 }
 
 }  // namespace trunk

@@ -1,4 +1,4 @@
-#include <chrono>
+#include <ctime>
 
 #include "support/breath_records.hpp"
 #include "support/catch.hpp"
@@ -304,11 +304,11 @@ TEST_CASE("A rest or a top of ten minutes costs no more time and blurs no other 
   Record record;
   record.breaths[3].pause_s = 600;
   Trace trace = volume_trace(record);
-  const auto begin = std::chrono::steady_clock::now();
+  const std::clock_t begin = std::clock();
   const auto found = segment_breaths(trace).breaths;
   for (double& v : trace.value) v = -v;
   CHECK(segment_breaths(trace).breaths.size() >= 4);
-  CHECK(std::chrono::steady_clock::now() - begin < std::chrono::seconds(20));  // minutes, if squared
+  CHECK((std::clock() - begin) / CLOCKS_PER_SEC < 20);  // of the processor; minutes, if squared
   REQUIRE(found.size() == 6);
   const auto onsets = onsets_of(record);
   for (std::size_t i = 0; i < 6; ++i) CHECK(found[i].onset_s == Approx(onsets[i]).margin(0.05));

@@ -40,7 +40,7 @@ Scenario healthy_scenario() {
 
 }  // namespace
 
-TEST_CASE("A twin at half the step gives its parameters back to 1e-3 from ten starts", "[regression][slow]") {
+TEST_CASE("A twin at half the step gives its parameters back to 1e-3 from ten starts", "[nightly][slow]") {
   const Scenario s = healthy_scenario();
   const Trunk trunk = make_trunk(s);
   Parameters<double> truth = s.parameters;

@@ -1,8 +1,7 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <chrono>
 #include <numeric>
+#include <vector>
 
 #include "anatomy/breath_run.hpp"
 #include "support/catch.hpp"
@@ -23,44 +22,48 @@ SweepDesign runs_for_all_lanes(const test::TemporaryFolder& folder) {
                                 TRUNK_SOURCE_DIR, batch_lanes())));
 }
 
+/// Sweeps by a clock that goes on by a second whenever a run looks at it, thus not by how fast the machine
+/// is.
+struct CountedSweep {
+  explicit CountedSweep(double timeout_s) {
+    const test::TemporaryFolder folder;
+    const SweepDesign design = runs_for_all_lanes(folder);
+    const SweepFolder sweep(folder / "d", design, {}, false);
+    const auto count_rows = [&](auto...) {
+      std::size_t rows = 0;
+      sweep.for_each_row([&](const SweepRow&) { ++rows; });
+      rows_on_file.push_back(rows);
+    };
+    SweepOptions options;
+    options.threads = 1;
+    options.timeout_s = timeout_s;
+    options.clock_s = [this] { return seconds += 1.0; };
+    outcome = run_sweep(design, sweep, options, count_rows, {});
+  }
+
+  double seconds = 0.0;
+  std::vector<std::size_t> rows_on_file;  // when progress was noted
+  SweepOutcome outcome;
+};
+
 }  // namespace
 
 TEST_CASE("Runs side by side have the time of all of them", "[unit][slow]") {
-  const test::TemporaryFolder folder;
-  const SweepDesign design = runs_for_all_lanes(folder);
-  const auto seconds_between_ends = [&](const std::string& name, double timeout_s) {
-    std::vector<double> at;
-    const SweepFolder sweep(folder / name, design, {}, false);
-    const SweepOutcome outcome = run_sweep(design, sweep, {1, {}, timeout_s, false, ""}, [](auto...) {}, {});
-    if (outcome.failed > 0) return 1e9;
-    sweep.for_each_row([&](const SweepRow& r) { at.push_back(r.ended_at); });
-    const auto [first, last] = std::minmax_element(at.begin(), at.end());
-    return *last - *first;
-  };
-  const auto start = std::chrono::steady_clock::now();
-  seconds_between_ends("any", 0.0);
-  const double took_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  bool together = false;                                      // given up, they would end one by one
-  for (int attempt = 0; attempt < 5 && !together; ++attempt)  // the machine may be busier than just before
-    together = seconds_between_ends(std::to_string(attempt),
-                                    2 * took_s / static_cast<double>(batch_lanes())) < took_s / 4;
-  CHECK(together);
+  const double together_s = CountedSweep(0.0).seconds;
+  const double each_s = together_s / static_cast<double>(batch_lanes());
+  REQUIRE(each_s > 10.0);
+  const CountedSweep enough(1.1 * each_s);  // too little for one alone: together they are not given up
+  CHECK(enough.outcome.failed == 0);
+  CHECK(enough.rows_on_file == std::vector<std::size_t>{batch_lanes()});
+  const CountedSweep too_little(0.9 * each_s);
+  CHECK(too_little.outcome.failed == batch_lanes());
 }
 
 TEST_CASE("A run that is tried alone after its batch took too long is stored when it ends", "[unit]") {
-  const test::TemporaryFolder folder;
-  const SweepDesign design = runs_for_all_lanes(folder);
-  const SweepFolder sweep(folder / "d", design, {}, false);
-  std::vector<std::size_t> on_file;
-  const auto count_rows = [&](auto...) {
-    std::size_t rows = 0;
-    sweep.for_each_row([&](const SweepRow&) { ++rows; });
-    on_file.push_back(rows);
-  };
-  const SweepOutcome outcome = run_sweep(design, sweep, {1, {}, 1e-3, false, ""}, count_rows, {});
-  CHECK(outcome.failed == batch_lanes());
-  CHECK(outcome.finished);
+  const CountedSweep sweep(1.0);
+  CHECK(sweep.outcome.failed == batch_lanes());
+  CHECK(sweep.outcome.finished);
   std::vector<std::size_t> one_by_one(batch_lanes());
   std::iota(one_by_one.begin(), one_by_one.end(), std::size_t{1});
-  CHECK(on_file == one_by_one);
+  CHECK(sweep.rows_on_file == one_by_one);
 }
