@@ -10,6 +10,7 @@
 #include "support/trunks.hpp"
 
 using namespace trunk;
+using namespace trunk::test;
 
 namespace {
 

@@ -1,6 +1,7 @@
 #include <cmath>
 #include <limits>
 
+#include "errors/input_error.hpp"
 #include "math/piecewise_linear.hpp"
 #include "support/catch.hpp"
 
