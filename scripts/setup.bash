@@ -9,7 +9,8 @@ runtime_packages=(g++ cmake ninja-build pkg-config git
 # The tests also need other people's readers of the results (MDAnalysis and VTK take most of a minute), a browser with its
 # own driver, which always has the same version, and a Slurm.
 test_packages=(catch2 clang-format hdf5-tools python3-h5netcdf python3-mdanalysis python3-netcdf4 python3-pandas python3-vtk9
-  python3-xarray chromium chromium-driver python3-selenium slurmctld slurmd slurm-client munge)
+  python3-xarray chromium chromium-driver python3-selenium slurmctld slurmd slurm-client munge
+  groff-base zsh fish)
 
 # The nightly checks and scripts/lint need another compiler.
 lint_packages=(clang clang-tidy)

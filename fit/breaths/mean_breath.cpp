@@ -120,7 +120,7 @@ MeasuredBreath single_breath(const Segmentation& segmentation, std::size_t numbe
   check_usable(segmentation, samples);
   const std::size_t count = segmentation.breaths.size();
   if (number < 1 || number > count)
-    throw InputError({segmentation.source}, "breath " + std::to_string(number) + " asked for",
+    throw InputError({segmentation.source}, "there is no breath " + std::to_string(number),
                      "1 to " + std::to_string(count) + ", the whole breaths found", "choose one of them");
   return averaged(segmentation, {segmentation.breaths[number - 1]}, samples);
 }

@@ -43,7 +43,7 @@ std::vector<std::size_t> breath_numbers(const std::string& option, const std::st
   do {
     const std::size_t first = take_number(rest), last = take(rest, '-') ? take_number(rest) : first;
     if (first == 0 || last < first || (!rest.empty() && rest.front() != ','))
-      throw InputError({option + " " + text.substr(0, 40)}, "these are no numbers of breaths",
+      throw InputError({option + " " + text.substr(0, 40)}, "this is not a list of breath numbers",
                        "numbers from 1, as in 3,7 or 3-5");
     for (std::size_t number = first; number <= last; ++number) numbers.push_back(number);
   } while (take(rest, ',') && numbers.size() <= largest_number);

@@ -17,7 +17,7 @@ struct WholeBreaths {
 
 /// Returns the whole breaths of a continuous volume (m3) at times (s), at least 10 of each. A breath at the
 /// start or end of the record counts as whole only if the volume there is within 10 % of a height from rest
-/// (our choice). It is no error if there is no breath.
+/// (our choice). Finding no breath is not an error.
 WholeBreaths whole_breaths(std::span<const double> time_s, std::span<const double> volume_m3);
 
 }  // namespace trunk

@@ -15,7 +15,7 @@ struct CohortPlan {
   bool force = false;  // fit again what is done
 };
 
-/// What came of one subject of a cohort.
+/// The outcome for one subject of a cohort.
 struct SubjectResult {
   std::string subject;
   bool done = false;       // false: the user interrupted before

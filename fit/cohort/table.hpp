@@ -11,7 +11,7 @@ namespace trunk {
 struct RowEstimate {
   std::string name, unit;
   double value = 0.0, lower95 = 0.0, upper95 = 0.0;
-  bool at_bound = false;  // then it has no interval: that of a linear model means nothing there
+  bool at_bound = false;  // then it has no interval: a linear model has none at a bound
 };
 
 /// A scenario that was predicted.

@@ -1,6 +1,9 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <cstdint>
+#include <string>
+#include <vector>
 
 #include "commands/text/output.hpp"
 
@@ -36,5 +39,10 @@ std::string require_within(const std::string& text, double lowest, double highes
 inline auto within(double lowest, double highest) {
   return [=](const std::string& text) { return require_within(text, lowest, highest); };
 }
+
+/// Checks of an option: its text is one of these names, or a whole number from lowest to highest. Completions
+/// offer the names.
+CLI::Validator one_of(const std::vector<std::string>& names);
+CLI::Validator whole_number(std::int64_t lowest, std::int64_t highest);
 
 }  // namespace trunk

@@ -155,7 +155,9 @@ void add_compare(CLI::App& app, Common& common, Run& run) {
   auto* command = app.add_subcommand(
       "compare", "Compares the shape of a simulated trunk with a measured surface. Distances are in mm.");
   const auto request = std::make_shared<CompareRequest>();
-  command->add_option("RUN", request->run, "A run or a fit (HDF5). Of a fit, its best run is compared.")
+  command
+      ->add_option("RUN", request->run,
+                   "A run or a fit (HDF5). For a fit, this command compares the best run.")
       ->required();
   add_surface_request(*command, *request)->required();
   command

@@ -106,7 +106,9 @@ void add_export(CLI::App& app, Common& common, Run& run) {
   auto* command = app.add_subcommand(
       "export", "Writes a run or a fit in formats that other programs read. Each format goes to a folder.");
   const auto request = std::make_shared<ExportRequest>();
-  command->add_option("FILE", request->file, "A run or a fit (HDF5). Of a fit, its best run is written.")
+  command
+      ->add_option("FILE", request->file,
+                   "A run or a fit (HDF5). For a fit, this command writes the best run.")
       ->required();
   command
       ->add_option(

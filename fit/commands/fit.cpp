@@ -78,9 +78,9 @@ void add_fit(CLI::App& app, Common& common, Run& run) {
       ->type_name("FILE");
   command
       ->add_option("-j,--threads", r->plan.estimation.execution.threads,
-                   "Uses this many threads. [one a core]")
+                   "Uses this many threads. [one per core]")
       ->type_name("N")
-      ->check(CLI::Range(1u, 1024u));
+      ->check(whole_number(1, 1024));
   add_json_flag(*command, common);
   add_force_flag(*command, common, "Replaces result files that exist.");
   command->footer(

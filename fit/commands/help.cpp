@@ -63,7 +63,7 @@ void add_help(CLI::App& app, Common&, Run& run) {
                     ->add_option("--completion", request->shell,
                                  "Prints a script that makes this shell complete commands and options.")
                     ->type_name("SHELL")
-                    ->check(CLI::IsMember({"bash", "zsh", "fish"}));
+                    ->check(one_of({"bash", "zsh", "fish"}));
   subject->excludes(manual)->excludes(shell);
   manual->excludes(shell);
   command->footer(

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <gsl/gsl_errno.h>
 
+#include <algorithm>
+#include <charconv>
 #include <csignal>
 
 #include "commands/commands.hpp"
@@ -10,6 +12,7 @@
 #include "commands/help/topics.hpp"
 #include "commands/help/usage_mistake.hpp"
 #include "records/provenance.hpp"
+#include "text/edit_distance.hpp"
 
 namespace trunk {
 namespace {
@@ -106,6 +109,28 @@ std::string require_within(const std::string& text, double lowest, double highes
   const bool good =
       CLI::detail::lexical_cast(text, number) && number >= lowest && number <= highest;  // NaN is neither
   return good ? "" : fmt::format("'{}' found; expected a number from {:g} to {:g}", text, lowest, highest);
+}
+
+CLI::Validator one_of(const std::vector<std::string>& names) {
+  const std::string all = fmt::format("{}", fmt::join(names, ", "));
+  return {[names, all](const std::string& text) -> std::string {
+            if (std::find(names.begin(), names.end(), text) != names.end()) return "";
+            const std::string near = nearest_name(text, names);
+            return fmt::format("'{}' found; expected one of {}{}", text, all,
+                               near.empty() ? "" : "; did you mean '" + near + "'?");
+          },
+          "{" + fmt::format("{}", fmt::join(names, ",")) + "}"};
+}
+
+CLI::Validator whole_number(std::int64_t lowest, std::int64_t highest) {
+  return {[=](const std::string& text) -> std::string {
+            std::int64_t number = 0;
+            const char* end = text.data() + text.size();
+            const auto read = std::from_chars(text.data(), end, number);
+            if (read.ec == std::errc() && read.ptr == end && number >= lowest && number <= highest) return "";
+            return fmt::format("'{}' found; expected a whole number from {} to {}", text, lowest, highest);
+          },
+          ""};
 }
 
 int run_program(int argc, char** argv) {

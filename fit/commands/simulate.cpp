@@ -96,12 +96,13 @@ void add_simulate(CLI::App& app, Common& common, Run& run) {
   command
       ->add_option("--from", request->parameters_from,
                    "Takes k_elasticity, k_muscle, damping and the course of the activation from this fit or "
-                   "run (HDF5). The geometry stays the scenario's, and --set goes over both.")
+                   "run (HDF5). The geometry stays the scenario's, and --set overrides both.")
       ->type_name("FILE");
   command
-      ->add_option("--every", request->frame_every_ms,
-                   "Stores the motion every so many ms. 0 stores no motion, and curves every 10 ms. [the "
-                   "scenario's time.frame_every_ms, 10]")
+      ->add_option(
+          "--every", request->frame_every_ms,
+          "Stores the motion at this interval, in ms. 0 stores no motion, and curves every 10 ms. [the "
+          "scenario's time.frame_every_ms, 10]")
       ->type_name("MS")
       ->check(within(0.0, 1e6));
   add_json_flag(*command, common);

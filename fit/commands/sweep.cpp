@@ -134,22 +134,22 @@ void add_folder_command(CLI::App& app, Common& common, Run& run, const char* nam
 
 void add_sweep(CLI::App& app, Common& common, Run& run) {
   auto* command = app.add_subcommand("sweep",
-                                     "Simulates scenarios over a grid or a sample of parameters. The same "
-                                     "command again goes on after an interruption.");
+                                     "Simulates scenarios over a grid or a sample of parameters. After an "
+                                     "interruption, run the same command to resume.");
   const auto request = std::make_shared<SweepRequest>();
   SweepOptions& options = request->options;
   command->add_option("SWEEP", request->design, "The sweep file (TOML).")->required();
   command->add_option("-o,--output", request->folder, "Writes the results to this folder.")
       ->type_name("DIR")
       ->required();
-  command->add_option("-j,--threads", options.threads, "Simulates on so many threads. [one for each core]")
-      ->check(CLI::Range(1u, 1024u));
+  command->add_option("-j,--threads", options.threads, "Uses this many threads. [one per core]")
+      ->check(whole_number(1, 1024));
   command
       ->add_option("--shard", request->shard,
                    "Does part K of N: runs K, K+N, K+2N and so on. N processes can then share the work and "
                    "the folder; `trunk merge` writes the table at the end.")
       ->type_name("K/N");
-  command->add_option("--timeout", options.timeout_s, "Gives up a run after so many seconds. [never]")
+  command->add_option("--timeout", options.timeout_s, "Stops a run that takes longer than this. [never]")
       ->type_name("SECONDS")
       ->check(within(1e-3, 1e9));
   command->add_flag("--retry-failed", options.retry_failed,

@@ -58,13 +58,12 @@ struct Estimation {
   std::size_t simulated = 0;  // evaluations that were not in the ledger
 };
 
-/// /// Fits the parameters of `space` to `measured`. The steps are: a start at the measured tidal volume,
+/// Fits the parameters of `space` to `measured`. The steps are: a start at the measured tidal volume,
 /// local searches over the parameters asked for, Levenberg-Marquardt over all parameters from the best point,
 /// a second search without derivatives as a check, and the uncertainty. The start of the space holds the
 /// activation; `timed` of its numbers were read from the trace. Throws InputError if the curve is empty or
 /// longer than the grid, and Cancelled once the execution is cancelled. A search that fails is reported in
 /// the result.
-
 Estimation estimate(const Trunk& trunk, const TimeGrid& grid, const SearchSpace& space,
                     const MeasuredCurve& measured, const EstimationOptions& options, Ledger& ledger,
                     std::size_t timed = 0);

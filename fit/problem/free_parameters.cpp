@@ -1,4 +1,5 @@
 #include "problem/free_parameters.hpp"
+#include "text/edit_distance.hpp"
 
 #include <fmt/format.h>
 
@@ -62,14 +63,18 @@ std::span<const FreeParameter> free_parameters() {
 
 const FreeParameter& free_parameter(const std::string& name, const Place& at) {
   std::string names;
+  std::vector<std::string> known{"timing", "shape"};
   for (const FreeParameter& p : free_parameters()) {
     if (p.name == name) return p;
+    known.emplace_back(p.name);
     if (p.group != Group::shape) names += std::string(p.name) + ", ";
   }
+  const std::string near = nearest_name(name, known);
   throw InputError(at, fmt::format("there is no parameter '{}' to fit", name),
                    fmt::format("one of {}timing (onset, rise and falls) or shape (shape_rise_1 to _5, "
                                "shape_fast_fall_1, shape_slow_fall_1 to _3)",
-                               names));
+                               names),
+                   near.empty() ? "" : "did you mean '" + near + "'?");
 }
 
 std::vector<std::string> parameter_names(const std::vector<std::string>& given) {

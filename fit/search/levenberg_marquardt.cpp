@@ -116,8 +116,8 @@ Ending iterate(gsl_multifit_nlinear_workspace* work, const Fit& fit, const Searc
     const double after = gsl_blas_dnrm2(gsl_multifit_nlinear_residual(work));
     small_gains = before - after <= 0.5 * options.objective_tolerance * after ? small_gains + 1 : 0;
     if (small_gains == 2)  // a single small gain may be chance
-      return {true,
-              fmt::format("the objective changes by at most {:g} of itself", options.objective_tolerance)};
+      return {true, fmt::format("the objective changes by a fraction of at most {:g}",
+                                options.objective_tolerance)};
   }
   return {false, fmt::format("{} evaluations were not enough", options.max_evaluations)};
 }
@@ -145,7 +145,7 @@ SearchResult levenberg_marquardt(const LeastSquares& problem, const Eigen::Vecto
   const int status = gsl_multifit_nlinear_init(&view.vector, &functions, work.get());
   if (fit.error) std::rethrow_exception(fit.error);
   if (status != GSL_SUCCESS)
-    return {false, fit.best, fit.lowest, "the model fails beside the start", fit.evaluations};
+    return {false, fit.best, fit.lowest, "the model fails close to the start", fit.evaluations};
   const Ending ending = iterate(work.get(), fit, options);
   return {ending.converged, fit.best, fit.lowest, ending.reason, fit.evaluations};
 }

@@ -90,7 +90,7 @@ std::string reason(nlopt_result result, const SearchOptions& o) {
     case NLOPT_XTOL_REACHED:
       return fmt::format("every step in log coordinates is at most {:g}", o.coordinate_tolerance);
     case NLOPT_FTOL_REACHED:
-      return fmt::format("the objective changes by at most {:g} of itself", o.objective_tolerance);
+      return fmt::format("the objective changes by a fraction of at most {:g}", o.objective_tolerance);
     case NLOPT_MAXEVAL_REACHED:
       return fmt::format("{} evaluations were not enough", o.max_evaluations);
     case NLOPT_ROUNDOFF_LIMITED:

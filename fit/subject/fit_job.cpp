@@ -23,7 +23,7 @@ MeasuredBreath chosen_breath(const Segmentation& s, const std::string& which,
   std::size_t number = 0;
   const char* end = which.data() + which.size();
   if (std::from_chars(which.data(), end, number).ptr != end || number == 0)
-    throw InputError({"--breath " + which}, "this is no breath",
+    throw InputError({"--breath " + which}, "this does not name a breath",
                      "mean, each or the number of a breath, from 1");
   MeasuredBreath breath = single_breath(s, number);
   if (!s.breaths[number - 1].kept)
@@ -74,7 +74,7 @@ Measurement FitJob::measured() {
   if (request_.trace.empty()) {
     if (!(request_.tidal_volume_ml >= 10.0 && request_.tidal_volume_ml <= 10000.0))
       throw InputError({fmt::format("--tidal-volume-ml {:g}", request_.tidal_volume_ml)},
-                       "nobody breathes such a volume", "10 to 10000 ml");
+                       "no human breath has this volume", "10 to 10000 ml");
     if (request_.breath == "each")
       throw InputError({"--breath each"}, "one number has no breaths", "a trace: --trace FILE");
     return {std::nullopt, m3_per_ml * request_.tidal_volume_ml};

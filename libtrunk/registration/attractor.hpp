@@ -8,8 +8,7 @@ namespace trunk {
 
 /// A measured surface that attracts a part of the trunk.
 struct Attraction {
-  /// Whose points are paired with the closest points of the other: those of the part, those of the target, or
-  /// both.
+  /// Which surface's points look for closest points on the other surface.
   enum class Direction { both, part_to_target, target_to_part };
   /// Which pairs count: all, those whose surfaces face the same way, or those that face each other.
   enum class Facing { any, alike, opposed };

@@ -127,7 +127,7 @@ class Table(TrunkTest):
         self.assertEqual(found["breaths_kept"], 3)
         self.assertIn("no: excluded by --exclude", self.trunk("breaths", "t.csv", "--exclude", "2").out)
         self.refused("breaths", "t.csv", "--exclude", "8", says=("t.csv: --exclude names breath 8", "expected 1 to 7"))
-        self.refused("breaths", "t.csv", "--exclude", "two", says=("--exclude two: these are no numbers of breaths; expected", "as in 3,7 or 3-5"))
+        self.refused("breaths", "t.csv", "--exclude", "two", says=("--exclude two: this is not a list of breath numbers; expected", "as in 3,7 or 3-5"))
         self.refused("breaths", "t.csv", "--exclude", "3", "--include", "2-3", says="breath 3 is named by both")
         nothing = self.succeeds("breaths", "t.csv", "--exclude", "1-7")
         self.assertEqual((nothing["breaths_found"], nothing["breaths_kept"]), (7, 0))

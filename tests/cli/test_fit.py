@@ -92,12 +92,12 @@ class Fit(TrunkTest):
                               (("--fix", "k_muscle=3", "--fix", "k_elasticity=4000"), "no parameter is free"),
                               (("--fix", "k_muscle=3", "--free", "k_muscle"), "both free and fixed"),
                               (("--algorithm", "guess"), "'guess'; expected bobyqa"),
-                              (("--max-evaluations", "0"), "--max-evaluations.* 0 "),
+                              (("--max-evaluations", "0"), "--max-evaluations: '0' found"),
                               (("--tidal-volume-ml", "500"), "one of the two"),
-                              (("--breath", "6"), r"t.csv: breath 6 asked for; expected 1 to 5"),
-                              (("--breath", "0"), "--breath 0: this is no breath; expected mean"),
-                              (("--breath", "-1"), "--breath -1: this is no breath; expected mean"),
-                              (("--breath", "third"), "--breath third: this is no breath; expected mean"),
+                              (("--breath", "6"), r"t.csv: there is no breath 6; expected 1 to 5"),
+                              (("--breath", "0"), "--breath 0: this does not name a breath; expected mean"),
+                              (("--breath", "-1"), "--breath -1: this does not name a breath; expected mean"),
+                              (("--breath", "third"), "--breath third: this does not name a breath; expected mean"),
                               (("--signal", "belt"), "t.csv:1: .*'belt'"),
                               (("--save-scenario", "none/s.toml"), "none/s.toml: .*folder")):
             with self.subTest(" ".join(options)):

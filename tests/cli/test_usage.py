@@ -129,6 +129,12 @@ class Manual(TrunkTest):
             self.assertEqual([(re.findall(r"\\fI(.*)\\fR", entry) or [None])[0] for entry in entries],
                              [value for _, value in shown], command)
 
+    def test_values_stand_whole(self):
+        """Help and page come from one table, so they cannot show each other's mistakes."""
+        shown = self.trunk("fit", "--help").out
+        for text in ("--prior NAME=MEAN:FACTOR", "--fix NAME=VALUE|NAME=@FILE", "--loss squares|huber|student"):
+            self.assertIn(text, shown)
+
     def test_it_is_a_manual_page(self):
         text = self.manual()
         self.assertTrue(text.startswith('.TH TRUNK 1 '))
@@ -193,7 +199,9 @@ class Completion(TrunkTest):
 
     def test_other_shells_read_their_scripts(self):
         for shell in ("zsh", "fish"):
-            if shutil.which(shell):
+            with self.subTest(shell):
+                if not shutil.which(shell):
+                    self.skipTest(f"{shell} is not installed")
                 done = subprocess.run([shell, "-n", self.folder / self.file(f"trunk.{shell}", self.script(shell))],
                                       capture_output=True, text=True, timeout=LIMIT_S)
                 self.assertEqual((done.returncode, done.stderr), (0, ""), shell)

@@ -24,7 +24,7 @@ OptionRow option_row(const CLI::Option& option) {
   // CLI11 describes a value as "TEXT:{one,other}": its type, then what each check says of it.
   const std::string described = option.get_type_name();
   if (!row.is_argument && option.get_items_expected_max() > 0)
-    row.value = value_name(described.substr(0, described.find(':')));
+    row.value = value_name(described.substr(0, described.find(":{")));
   if (const std::size_t open = described.find(":{"); open != std::string::npos)
     row.choices = CLI::detail::split(described.substr(open + 2, described.find('}', open) - open - 2), ',');
   row.text = option.get_description();

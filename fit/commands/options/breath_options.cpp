@@ -31,7 +31,7 @@ void add_breath_options(CLI::App& command, BreathSelection& selection) {
           "does a volume of wrong calibration.")
       ->type_name("ML")
       ->group("Which breaths to use")
-      ->check(within(1.0, 10000.0));
+      ->check(within(30.0, 6000.0));
 }
 
 }  // namespace trunk

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
+#include <limits>
 
 #include "commands/commands.hpp"
 #include "commands/options/breath_options.hpp"
@@ -47,7 +48,7 @@ void add_measurement_options(CLI::App& command, FitRequest& r) {
           "Weights all samples alike (uniform), or by the column of their deviations (sigma). [uniform]")
       ->type_name("NAME")
       ->group(group)
-      ->check(CLI::IsMember({"uniform", "sigma"}));
+      ->check(one_of({"uniform", "sigma"}));
 }
 
 void add_parameter_options(CLI::App& command, FitRequest& r) {
@@ -66,10 +67,10 @@ void add_parameter_options(CLI::App& command, FitRequest& r) {
       ->group(group)
       ->take_all();
   command
-      .add_option(
-          "--prior", r.priors,
-          "Says what is known of a parameter beforehand: its mean, and the factor of one standard deviation. "
-          "You can repeat it.")
+      .add_option("--prior", r.priors,
+                  "Says what is known of a parameter beforehand: its mean, and the factor that is one "
+                  "standard deviation. "
+                  "You can repeat it.")
       ->type_name("NAME=MEAN:FACTOR")
       ->group(group)
       ->take_all();
@@ -86,7 +87,7 @@ void add_parameter_options(CLI::App& command, FitRequest& r) {
           "and holds it (trace), or takes it from the scenario (scenario). [joint]")
       ->type_name("NAME")
       ->group(group)
-      ->check(CLI::IsMember({"joint", "trace", "scenario"}));
+      ->check(one_of({"joint", "trace", "scenario"}));
   command.add_flag("--keep-timing", r.keep_timing, "Does the same as --timing scenario.")->group(group);
 }
 
@@ -99,7 +100,7 @@ void add_search_options(CLI::App& command, FitRequest& r) {
                   "[squares]")
       ->type_name("NAME")
       ->group(group)
-      ->check(CLI::IsMember({"squares", "huber", "student"}));
+      ->check(one_of({"squares", "huber", "student"}));
   command
       .add_option(
           "--algorithm", search.algorithm,
@@ -111,16 +112,17 @@ void add_search_options(CLI::App& command, FitRequest& r) {
                   "Ends a search after this many simulations. [600]")
       ->type_name("N")
       ->group(group)
-      ->check(CLI::Range(1, 1000000));
+      ->check(whole_number(1, 1000000));
   command
       .add_option("--starts", r.plan.estimation.starts,
                   "Searches from this many places, which --seed spreads over the bounds. [1]")
       ->type_name("N")
       ->group(group)
-      ->check(CLI::Range(1, 10000));
+      ->check(whole_number(1, 10000));
   command.add_option("--seed", search.seed, "Starts all random numbers from this seed. [1]")
       ->type_name("N")
-      ->group(group);
+      ->group(group)
+      ->check(whole_number(0, std::numeric_limits<std::int64_t>::max()));
 }
 
 void add_interval_options(CLI::App& command, FitRequest& r) {
@@ -132,7 +134,7 @@ void add_interval_options(CLI::App& command, FitRequest& r) {
                   "it takes less than 10 s]")
       ->type_name("N")
       ->group(group)
-      ->check(CLI::Range(0, 200));
+      ->check(whole_number(0, 200));
   command.add_flag("--profiles", r.force_profiles, "Computes profiles even if they take longer than 10 s.")
       ->group(group);
   command
@@ -140,7 +142,7 @@ void add_interval_options(CLI::App& command, FitRequest& r) {
                   "Fits this many resampled traces (block bootstrap). 0 resamples none. [0]")
       ->type_name("N")
       ->group(group)
-      ->check(CLI::Range(0, 100000));
+      ->check(whole_number(0, 100000));
 }
 
 void add_prediction_options(CLI::App& command, FitRequest& r) {
@@ -158,7 +160,7 @@ void add_prediction_options(CLI::App& command, FitRequest& r) {
           "Draws this many sets of parameters for the interval of a prediction. 0 gives no interval. [64]")
       ->type_name("N")
       ->group(group)
-      ->check(CLI::Range(0, 100000));
+      ->check(whole_number(0, 100000));
 }
 
 }  // namespace

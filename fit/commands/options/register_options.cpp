@@ -61,13 +61,13 @@ void add_targets(CLI::App& command, RegisterRequest& request) {
           "were cut. [auto: insertion if it is low enough and goes around]")
       ->type_name("NAME")
       ->group(group)
-      ->check(CLI::IsMember({"auto", "insertion", "cut"}));
+      ->check(one_of({"auto", "insertion", "cut"}));
   command
-      .add_option(
-          "--resolution", request.resolution,
-          "Takes a template with so many times the 113 particles of the coarsest one. [the scenario's]")
+      .add_option("--resolution", request.resolution,
+                  "Uses a template whose mesh is this many times finer than the one of 113 particles. [the "
+                  "scenario's]")
       ->group(group)
-      ->check(CLI::Range(1, 16));
+      ->check(whole_number(1, 16));
   command
       .add_option("--tolerance-mm", request.tolerance_mm,
                   "The largest RMS distance between trunk and surface, both ways, with exit code 0. The 95th "

@@ -12,7 +12,7 @@ void add_surface_options(CLI::App& command, SurfaceOptions& options) {
                   "Takes coordinates in this unit. [guessed from the size of the surface]")
       ->type_name("UNIT")
       ->group(group)
-      ->check(CLI::IsMember({"mm", "cm", "m"}));
+      ->check(one_of({"mm", "cm", "m"}));
   command
       .add_option("--axes", options.axes,
                   "Says to which sides x, y and z grow, as in LPS or RSA, or which coordinates point right, "

@@ -37,7 +37,8 @@ void add_signal_options(CLI::App& command, SignalOptions& options) {
       ->group(group)
       ->check(within(1e-3, 1e6))
       ->excludes(time);
-  command.add_flag("--invert", options.invert, "Turns the sign of a signal that is positive on expiration.")
+  command
+      .add_flag("--invert", options.invert, "Reverses the sign of a signal that is positive on expiration.")
       ->group(group);
 }
 

@@ -7,9 +7,9 @@
 
 namespace trunk {
 
-/// What segmentation made of a trace, as one JSON object, as text and as comma-separated values: each breath,
-/// then medians and totals of the kept ones. Volumes in ml, ventilation in L/min; of a belt that is not
-/// calibrated in its own unit, and then the names end in _au.
+/// Return the breaths of a trace as one JSON object, as text and as comma-separated values: each breath, then
+/// medians and totals of the kept ones. Volumes are in ml and ventilation is in L/min. Those of an
+/// uncalibrated belt are in its own unit, and their names end in _au.
 Json breaths_json(const Segmentation& segmentation);
 std::string breaths_text(const Segmentation& segmentation);
 std::string breaths_csv(const Segmentation& segmentation);

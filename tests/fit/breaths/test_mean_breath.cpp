@@ -49,8 +49,8 @@ TEST_CASE("Rejected breaths are not averaged, but can be asked for", "[unit][bre
   CHECK(sigh.tidal_volume_m3 == Approx(1300e-6).epsilon(0.01));
   CHECK(*std::max_element(sigh.volume_m3.begin(), sigh.volume_m3.end()) == Approx(1300e-6).epsilon(0.01));
   CHECK(sigh.volume_m3.back() == 0);
-  CHECK_THROWS_WITH(single_breath(found, 0), Contains("made.csv: breath 0 asked for; expected 1 to 6"));
-  CHECK_THROWS_WITH(single_breath(found, 7), Contains("made.csv: breath 7 asked for"));
+  CHECK_THROWS_WITH(single_breath(found, 0), Contains("made.csv: there is no breath 0; expected 1 to 6"));
+  CHECK_THROWS_WITH(single_breath(found, 7), Contains("made.csv: there is no breath 7"));
   CHECK_THROWS_WITH(mean_breath(found, 2), Contains("made.csv: 2 samples"));
   Segmentation none = found;
   for (auto& breath : none.breaths) breath.kept = false, breath.reason = "it is odd";

@@ -133,7 +133,8 @@ void write_result(hid_t root, const FitRecord& fit) {
               {time});
   write_array(result, {"residual", "ml", "model - measured"}, layout::to_ml(fit.residual_m3), {time});
   if (!fit.dV_baseline_m3.empty())
-    write_array(result, {"dV_baseline", "ml", "volume change of a one-compartment model, fitted beside ours"},
+    write_array(result,
+                {"dV_baseline", "ml", "volume change of a one-compartment model, fitted to the same data"},
                 layout::to_ml(fit.dV_baseline_m3), {time});
   if (!fit.notes.empty()) {
     const Axis note = write_count_axis(result, {"note", "1", "note"}, fit.notes.size());
