@@ -1,5 +1,6 @@
 #include "commands/options/surface_options.hpp"
 
+#include "commands/commands.hpp"
 #include "commands/text/output.hpp"
 #include "results/read/read_records.hpp"
 
