@@ -152,10 +152,22 @@ void Comparer::trajectories(const Trajectory& a, const Trajectory& b) {
   if (!same) result_.differences.push_back(worst);
 }
 
+/// Returns the measures of a run, with what only newer files say, if the other one is newer: before there
+/// was `time.start`, every breath began at rest.
+std::vector<NamedValue> measures_beside(const RunRecord& run, const RunRecord& other) {
+  const auto is_level = [](const NamedValue& v) { return v.name == "end_expiratory_above_relaxation_ml"; };
+  std::vector<NamedValue> measures = run.measures;
+  const auto theirs = std::find_if(other.measures.begin(), other.measures.end(), is_level);
+  if (theirs == other.measures.end() || std::any_of(measures.begin(), measures.end(), is_level))
+    return measures;
+  measures.push_back({theirs->name, theirs->unit, run.status == "completed" ? 0.0 : std::nan("")});
+  return measures;
+}
+
 void add_runs(const RunRecord& a, const RunRecord& b, Comparer& comparer) {
   comparer.texts("run", "status", a.status, b.status);
   comparer.numbers("parameters", a.parameters, b.parameters);
-  comparer.numbers("measures", a.measures, b.measures);
+  comparer.numbers("measures", measures_beside(a, b), measures_beside(b, a));
   comparer.curves("curves", a.curve_time_s, a.curves, b.curve_time_s, b.curves);
   comparer.trajectories(a.trajectory, b.trajectory);
 }

@@ -18,7 +18,9 @@ namespace {
 std::optional<TimeGrid> finer(const TimeGrid& grid, const Ending& ending) {
   constexpr double fine_s = 1e-3;
   if (ending.completed() || grid.dt_s <= fine_s) return std::nullopt;
-  return TimeGrid{fine_s, grid.duration_s, grid.damping};
+  TimeGrid fine = grid;
+  fine.dt_s = fine_s;
+  return fine;
 }
 
 }  // namespace
@@ -85,7 +87,7 @@ LedgerEntry Objective::simulate_slopes(const Eigen::VectorXd& x, const Candidate
     grid = *again;
     found = simulate_volume_derivatives(trunk_, candidate, space_.directions(x), grid);
   }
-  const auto& [curve, along] = found;
+  const auto& [curve, along, above_relaxation] = found;
   LedgerEntry entry{static_cast<std::int32_t>(curve.ending.status), curve.ending.time_s, 0.0, {}};
   if (curve.ending.completed())
     for (const std::vector<double>& derivative : along) {

@@ -34,10 +34,10 @@ std::vector<Series> frame_series(const Trunk& trunk, const BreathRun& run) {
   Steps steps;
   for (const auto& frame : run.frames) steps.push_back(static_cast<std::size_t>(frame.step));
   std::vector<Series> all = own_series(run, steps, "dV");
-  const Shape rest = shape_of(trunk, trunk.model.rest);
+  const Shape start = shape_of(trunk, run.start);
   std::vector<Measures> measures;
   for (const auto& frame : run.frames)
-    measures.push_back(measures_between(rest, shape_of(trunk, frame.position)));
+    measures.push_back(measures_between(start, shape_of(trunk, frame.position)));
   const auto add = [&](const char* name, const char* meaning, double Measures::*member) {
     Series series{name, "mm", meaning, {}};
     for (const Measures& m : measures) series.values.push_back(m.*member / m_per_mm);
@@ -114,7 +114,8 @@ std::vector<NamedValue> measures_of(const BreathSummary& run) {
           {"excursion_right_mm", "mm", m.excursion_right / m_per_mm},
           {"max_relative_volume_error", "1", run.max_relative_volume_error},
           {"flipped_triangles", "1", static_cast<double>(run.flipped_triangles)},
-          {"abdominal_pressure_peak_cmH2O", "cmH2O", run.peak_pressure_Pa / Pa_per_cmH2O}};
+          {"abdominal_pressure_peak_cmH2O", "cmH2O", run.peak_pressure_Pa / Pa_per_cmH2O},
+          {"end_expiratory_above_relaxation_ml", "ml", run.above_relaxation / m3_per_ml}};
 }
 
 std::vector<NamedValue> parameters_of(const Candidate& candidate) {
@@ -131,7 +132,7 @@ void adopt_parameters(const std::vector<NamedValue>& parameters, Scenario& scena
   scenario.parameters = c.parameters;
   scenario.activation = c.activation;
   const auto& a = c.activation;
-  if (a.period_s == 0.0)
+  if (a.period_s == 0.0 && scenario.time.start == Start::rest)
     scenario.time.duration_s =
         std::max(scenario.time.duration_s, a.onset_s + a.rise_s + a.fast_fall_s + a.slow_fall_s);
 }

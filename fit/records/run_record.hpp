@@ -14,8 +14,8 @@ std::vector<NamedValue> measures_of(const BreathSummary& run);
 /// Returns every parameter that a fit can vary, in natural units.
 std::vector<NamedValue> parameters_of(const Candidate& candidate);
 
-/// Sets parameters by the names that run and fit files use, and makes the simulation last at least as long as
-/// the activation. Throws InputError if a name is unknown. => scenario
+/// Sets parameters by the names that run and fit files use. From rest, it also makes the simulation last at
+/// least as long as the activation. Throws InputError if a name is unknown. => scenario
 void adopt_parameters(const std::vector<NamedValue>& parameters, Scenario& scenario);
 
 /// Returns the word for a status: "completed", "diverged", "volume_lost", or "not_run".

@@ -62,10 +62,8 @@ class Running {
     if (!surely_stable(runs)) std::erase_if(runs, [&](const PreparedRun& p) { return fails_as_unstable(p); });
     while (!runs.empty()) {  // each pass takes the runs of one time grid
       const TimeGrid grid = runs.front().file.scenario.time;
-      const auto others = std::stable_partition(runs.begin(), runs.end(), [&](const PreparedRun& p) {
-        const TimeGrid& own = p.file.scenario.time;
-        return own.dt_s == grid.dt_s && own.duration_s == grid.duration_s;
-      });
+      const auto others = std::stable_partition(
+          runs.begin(), runs.end(), [&](const PreparedRun& p) { return p.file.scenario.time == grid; });
       const auto count = static_cast<std::size_t>(others - runs.begin());
       if (batch_.design.store == SweepDesign::Store::full)
         for (const PreparedRun& p : std::span(runs).first(count)) simulate_in_full(p);

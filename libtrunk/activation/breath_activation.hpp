@@ -30,11 +30,24 @@ struct BreathActivation {
   S period_s{0.0};
   std::array<S, ShapeKnots::count> shape = filled(1.0);
 
-  /// Returns A at a time.
+  /// Returns A at a time of a breath that starts from rest.
   S operator()(double time_s) const noexcept {
     using std::floor;
     const S now(time_s), past = period_s * floor(now / period_s);
-    const S t = select(S(0.0) < period_s, now - past, now) - onset_s;
+    return after_onset(select(S(0.0) < period_s, now - past, now) - onset_s);
+  }
+
+  /// Returns A at a time of breathing that repeats: every `period_s` if that is positive, else every
+  /// `breath_s`. One activation lasts from its onset to the next onset, which cuts its tail (our choice).
+  S repeated(double time_s, double breath_s) const noexcept {
+    using std::floor;
+    const S cycle_s = select(S(0.0) < period_s, period_s, S(breath_s)), since_first = S(time_s) - onset_s;
+    return after_onset(since_first - cycle_s * floor(since_first / cycle_s));
+  }
+
+ private:
+  /// Returns A at a time after its onset.
+  S after_onset(const S& t) const noexcept {
     const S rising = t / rise_s;
     const S falling = S(1.0) - (S(1.0) - fast_fall_level) * (t - rise_s) / fast_fall_s;
     const S end_of_fast = rise_s + fast_fall_s;
@@ -44,7 +57,6 @@ struct BreathActivation {
     return select(S(0.0) < bent, bent, S(0.0));  // round-off
   }
 
- private:
   static constexpr std::array<S, ShapeKnots::count> filled(double value) {
     std::array<S, ShapeKnots::count> all;
     all.fill(S(value));

@@ -58,7 +58,8 @@ BreathSummary summary_of(const Trunk& trunk, BreathCourse course) {
   BreathSummary s;
   s.ending = std::move(course.curve.ending);
   s.delta_v = std::move(course.curve.delta_v);
-  s.measures = measures_between(shape_of(trunk, model.rest), shape_of(trunk, course.at_highest));
+  s.above_relaxation = course.curve.above_relaxation;
+  s.measures = measures_between(shape_of(trunk, course.at_start), shape_of(trunk, course.at_highest));
   s.peak_pressure_Pa = course.peak_pressure_Pa;
   s.max_relative_volume_error = course.max_relative_volume_error;
   s.flipped_triangles = std::max(flipped(model.lung, model.rest, course.at_highest),
@@ -93,6 +94,7 @@ BreathRun run_breath(const Trunk& trunk, const Scenario& scenario, int frame_eve
   Ending ending = simulate(trunk.model, scenario.parameters, scenario.activation, scenario.time, observe);
   run.wall_s = seconds_since(start);
   BreathCourse course = watch.course(std::move(ending), 0);
+  run.start = course.at_start;
   run.end_inspiration = course.at_highest;
   static_cast<BreathSummary&>(run) = summary_of(trunk, std::move(course));
   return run;
@@ -137,7 +139,7 @@ VolumeDerivatives simulate_volume_derivatives(const Trunk& trunk, const Trial<do
                                               const TimeGrid& grid) {
   const Kernel& kernel = kernel_for(directions.size());
   const auto at_once = static_cast<std::size_t>(kernel.tangents);
-  VolumeDerivatives result{{}, std::vector<std::vector<double>>(directions.size())};
+  VolumeDerivatives result{{}, std::vector<std::vector<double>>(directions.size()), {}};
   std::size_t first = 0;
   do {
     const std::size_t count = std::min(at_once, directions.size() - first);
@@ -145,6 +147,8 @@ VolumeDerivatives simulate_volume_derivatives(const Trunk& trunk, const Trial<do
                               std::span(result.along).subspan(first, count));
     first += count;
   } while (first < directions.size());
+  for (std::vector<double>& derivative : result.along)
+    result.above_relaxation.push_back(take_first_off(derivative));
   return result;
 }
 

@@ -11,8 +11,9 @@ namespace trunk {
 /// What a table keeps of a simulated breath. Curves have one entry for each step and one for the start.
 struct BreathSummary {
   Ending ending;
-  std::vector<double> delta_v;    // m3, lung volume above its start
-  Measures measures;              // from the start to end-inspiration, where the lung volume is highest
+  std::vector<double> delta_v;    // m3, lung volume above its value at t = 0
+  double above_relaxation = 0.0;  // m3, of the lung volume at t = 0 (end-expiration); 0 from rest
+  Measures measures;              // from t = 0 to end-inspiration, where the lung volume is highest
   double peak_pressure_Pa = 0.0;  // abdominal, above rest
   double max_relative_volume_error = 0.0;
   int flipped_triangles = 0;  // of the lung; above 0: the model is out of its range
@@ -32,6 +33,7 @@ struct BreathRun : BreathSummary {
     std::vector<Touch> touch;               // [supports]
   };
   std::vector<Frame> frames;
+  std::vector<Vec3d> start;            // [particles] m, at t = 0
   std::vector<Vec3d> end_inspiration;  // [particles] m, where the lung volume is highest
 };
 
@@ -62,6 +64,7 @@ std::vector<VolumeCurve> simulate_volumes(const Trunk& trunk, std::span<const Tr
 struct VolumeDerivatives {
   VolumeCurve curve;
   std::vector<std::vector<double>> along;  // [directions][steps + 1] m3 per unit of the direction
+  std::vector<double> above_relaxation;    // [directions] the same of the volume at t = 0
 };
 /// Returns the volume curve and its derivatives.
 VolumeDerivatives simulate_volume_derivatives(const Trunk& trunk, const Trial<double>& trial,

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "anatomy/template_mesh.hpp"
+#include "dynamics/recoil.hpp"
 #include "dynamics/stability.hpp"
 #include "errors/input_error.hpp"
 #include "math/units.hpp"
@@ -19,6 +20,46 @@ void drop_supports_of_held_particles(Model& model) {
     const Vec3d& m = model.mobility[static_cast<std::size_t>(s.particle)];
     return m.x() * m.y() * m.z() == 0.0;
   });
+}
+
+/// Throws InputError unless a course ends a breath with the value with which it began it.
+void require_repeating(const PiecewiseLinear& course, double breath_s, const Place& at) {
+  if (course.empty()) return;
+  constexpr double round_off = 1e-9;
+  const double first = course(0.0), last = course(breath_s);
+  double largest = 0.0;
+  for (const auto& event : course.events()) largest = std::max(largest, std::abs(event.value));
+  if (std::abs(last - first) > round_off * largest)
+    throw InputError(at,
+                     "its course ends the breath with another value than it begins with, so it cannot repeat",
+                     "the same value at 0 s and at the end of the breath", "start = \"rest\" in [time]");
+}
+
+/// Throws InputErrors with everything that cannot repeat.
+void require_repeating(const Scenario& s) {
+  const double breath_s = s.time.duration_s, cycles = breath_s / s.activation.period_s;
+  const auto varies = [](const PiecewiseLinear& course) { return course.events().size() > 1; };
+  Mistakes mistakes;
+  bool varying = varies(s.abdominal_volume);
+  mistakes.gather([&] { require_repeating(s.abdominal_volume, breath_s, {"abdominal_volume_fraction"}); });
+  for (const RegionLoad& load : s.loads) {
+    varying = varying || varies(load.magnitude);
+    mistakes.gather([&] { require_repeating(load.magnitude, breath_s, load.at); });
+  }
+  for (const RigidPart& part : s.rigid)
+    for (const PiecewiseLinear* course : {&part.imposed.angle, &part.imposed.shift}) {
+      varying = varying || varies(*course);
+      mistakes.gather([&] { require_repeating(*course, breath_s, part.at); });
+    }
+  if (varying && s.activation.period_s > 0.0 && std::abs(cycles - std::round(cycles)) > 1e-9 * cycles)
+    mistakes.gather([&] {
+      throw InputError({},
+                       fmt::format("the activation repeats every {:g} s, but loads and rigid parts repeat "
+                                   "every {:g} s",
+                                   s.activation.period_s, breath_s),
+                       "a time.duration_s of whole periods");
+    });
+  mistakes.settle();
 }
 
 }  // namespace
@@ -41,6 +82,10 @@ Trunk make_trunk(const Scenario& s) {
   mistakes.settle();
   drop_supports_of_held_particles(trunk.model);
   require_valid(trunk.model);
+  if (s.time.start == Start::periodic) {
+    require_repeating(s);
+    trunk.model.recoil = measure_recoil_for_leads(trunk.model);
+  }
   return trunk;
 }
 
@@ -60,6 +105,16 @@ void require_stable(const Scenario& s, const Trunk& trunk) {
                      fmt::format("a duration of {:.4g} s at {:.4g} ms makes {:.3g} steps", s.time.duration_s,
                                  ms_per_s * s.time.dt_s, steps),
                      "1 to 1e7");
+  if (s.time.start == Start::rest) return;
+  const double lead = lead_s(trunk.model, s.parameters);
+  if (!(lead <= longest_lead_s))
+    throw InputError(
+        {},
+        fmt::format("this trunk takes {:.3g} s to forget how it started, so its breathing cannot "
+                    "repeat",
+                    lead),
+        fmt::format("at most {:g} s", longest_lead_s),
+        "raise k_elasticity, change the damping, or set start = \"rest\" in [time]");
 }
 
 }  // namespace trunk

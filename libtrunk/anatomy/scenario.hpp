@@ -25,6 +25,7 @@ struct Scenario {
   Parameters<double> parameters{4000.0, 30.0, 20.0, 1.0};
   BreathActivation<double> activation;
   TimeGrid time;
+  bool start_given = false;                   // the scenario says how it starts, so that its text says it too
   bool automatic_step = false;                // time.dt_s is still to be chosen
   std::optional<TimeStepChoice> step_choice;  // how `time` was chosen, if the program chose it
   double frame_every_s = 0.01;                // between stored trajectory frames; 0: none are stored
@@ -41,12 +42,13 @@ int frame_stride(const Scenario& scenario);
 /// template leave no room for the lung.
 TrunkMesh mesh_of(const Scenario& scenario);
 
-/// Returns the trunk with the scenario's rigid parts and loads. Throws InputErrors with all loads that are
-/// impossible, and InputError if the mesh, the tissue or a rigid part is.
+/// Returns the trunk with the scenario's rigid parts and loads, and with its recoil if breathing repeats.
+/// Throws InputErrors with all loads that are impossible or cannot repeat, and InputError if the mesh, the
+/// tissue or a rigid part is.
 Trunk make_trunk(const Scenario& scenario);
 
 /// Throws InputError, which names the bound, unless the time step is below the stability bound at full
-/// activation and the duration is 1 to 1e7 steps.
+/// activation, the duration is 1 to 1e7 steps, and breathing that repeats forgets its start in time.
 void require_stable(const Scenario& scenario, const Trunk& trunk);
 
 }  // namespace trunk

@@ -11,6 +11,7 @@ struct BreathCourse {
   VolumeCurve curve;
   double peak_pressure_Pa = 0.0;             // abdominal, above rest
   double max_relative_volume_error = 0.0;    // of the held volume
+  std::vector<Vec3d> at_start;               // [particles] m, at t = 0
   std::vector<Vec3d> at_highest, at_lowest;  // [particles] m, at the highest and the lowest lung volume
 };
 
@@ -20,7 +21,8 @@ class BreathWatch {
  public:
   BreathWatch(const Model& model, int steps, const WhileSimulated& check)
       : model_(model), check_(check), gain_(model) {
-    delta_v_.reserve(static_cast<std::size_t>(steps) + 1);
+    gains_.reserve(static_cast<std::size_t>(steps) + 1);
+    at_start_.resize(model.particles());
     at_highest_.resize(model.particles());
     at_lowest_.resize(model.particles());
   }
@@ -29,7 +31,8 @@ class BreathWatch {
     constexpr int steps_between_checks = 64;
     if (check_ && step % steps_between_checks == 0) check_();
     const S gain = gain_.of<S>(state.position);
-    delta_v_.push_back(gain);
+    gains_.push_back(gain);
+    if (step == 0) at_start_ = state.position;
     keep_larger(report.pressure_Pa, peak_pressure_Pa_);
     keep_larger(relative_volume_error(state), max_relative_volume_error_);
     keep_where(highest_ < gain, gain, state.position, highest_, at_highest_);
@@ -39,13 +42,15 @@ class BreathWatch {
   /// Returns the course of one lane until it ended.
   BreathCourse course(Ending ending, int lane) const {
     BreathCourse c;
-    const auto seen = static_cast<std::size_t>(ending.steps) + (ending.completed() ? 1 : 0);
-    for (std::size_t n = 0; n < seen; ++n) c.curve.delta_v.push_back(in_lane(delta_v_[n], lane));
+    for (std::size_t n = 0; n < samples_until(ending); ++n)
+      c.curve.delta_v.push_back(in_lane(gains_[n], lane));
+    c.curve.above_relaxation = take_first_off(c.curve.delta_v);
     c.curve.ending = std::move(ending);
     require_lung(enclosed_volume<double>(model_.lung, model_.rest) + in_lane(lowest_, lane), c.curve.ending);
     c.peak_pressure_Pa = in_lane(peak_pressure_Pa_, lane);
     c.max_relative_volume_error = in_lane(max_relative_volume_error_, lane);
-    for (const auto& [lanes, alone] : {std::pair{&at_highest_, &c.at_highest}, {&at_lowest_, &c.at_lowest}})
+    for (const auto& [lanes, alone] :
+         {std::pair{&at_start_, &c.at_start}, {&at_highest_, &c.at_highest}, {&at_lowest_, &c.at_lowest}})
       for (const Vec3<S>& p : *lanes)
         alone->emplace_back(in_lane(p.x(), lane), in_lane(p.y(), lane), in_lane(p.z(), lane));
     return c;
@@ -71,10 +76,10 @@ class BreathWatch {
   const Model& model_;
   const WhileSimulated& check_;
   LungGain gain_;
-  std::vector<S> delta_v_;  // [steps + 1]
+  std::vector<S> gains_;  // [steps + 1] m3
   S peak_pressure_Pa_{0.0}, max_relative_volume_error_{0.0};
   S highest_{-std::numeric_limits<double>::infinity()}, lowest_{std::numeric_limits<double>::infinity()};
-  std::vector<Vec3<S>> at_highest_, at_lowest_;  // [particles]
+  std::vector<Vec3<S>> at_start_, at_highest_, at_lowest_;  // [particles]
 };
 
 /// Calculates the courses of trials, side by side in the lanes of S. Each has the bits that it has alone.

@@ -34,8 +34,8 @@ struct Kernel {
                          std::span<BreathCourse>);
   void (*breath_course)(const Model&, std::span<const Trial<double>>, const TimeGrid&, const WhileSimulated&,
                         std::span<BreathCourse>);
-  /// Calculates the curve of one trial and its derivatives along 1 to `tangents` directions, m3 per unit of
-  /// the direction.
+  /// Calculates the curve of one trial, and the derivatives of its volume above rest along 1 to `tangents`
+  /// directions, m3 per unit of the direction.
   void (*volume_derivatives)(const Model&, const Trial<double>&, std::span<const Trial<double>> directions,
                              const TimeGrid&, VolumeCurve&, std::span<std::vector<double>> derivatives);
 };

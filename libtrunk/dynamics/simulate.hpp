@@ -6,17 +6,9 @@
 
 #include "activation/breath_activation.hpp"
 #include "dynamics/kernel.hpp"
+#include "dynamics/lead.hpp"
 
 namespace trunk {
-
-/// The steps of a simulation.
-struct TimeGrid {
-  double dt_s = 1e-3;       // our choice; the paper ran about 3000 steps a second
-  double duration_s = 4.5;  // one breath of the paper's activation
-  Damping damping = Damping::implicit;
-
-  int steps() const noexcept { return static_cast<int>(std::lround(duration_s / dt_s)); }
-};
 
 /// How a simulation ended. The status is unset at first, so that a forgotten run cannot look like a good one.
 struct Ending {
@@ -50,39 +42,53 @@ Mask<S> within_reach(const Model& model, const State<S>& state, double reach_m) 
 /// Returns the height of the model at rest, m. A particle that moved farther than this has left the trunk.
 double height(const Model& model);
 
-/// Simulates all lanes from rest over the grid, in lockstep, and returns their endings. It calls
-/// `observe(step, activation, state, report)` at step 0 and after each step. A lane ends early if its volume
-/// cannot be held or if a particle moves farther than the trunk is tall. Its values then mean nothing and do
-/// not affect other lanes. Once all lanes have ended, `observe` is not called any more. `advance` is `step`,
-/// compiled here or for another instruction set.
+/// Simulates all lanes over the grid, in lockstep, and returns their endings. The grid says how they start:
+/// at rest at step 0, or each at rest before step 0, as long as its own lead. It calls
+/// `observe(step, activation, state, report)` at step 0 and after each later step. A lane ends early if its
+/// volume cannot be held or if a particle moves farther than the trunk is tall. Its values then mean nothing
+/// and do not affect other lanes. Once all lanes have ended, `observe` is not called any more. `advance` is
+/// `step`, compiled here or for another instruction set.
 template <Scalar S, class Observer>
 Endings<S> simulate_lanes(const Model& model, const Parameters<S>& parameters,
                           const BreathActivation<S>& activation, const TimeGrid& grid, Observer&& observe,
                           Step<S>* advance = &step<S>) {
   constexpr int steps_between_checks = 16;
-  State<S> state = rest_state<S>(model);
+  const State<S> rest = rest_state<S>(model);
+  State<S> state = rest;
   Workspace<S> workspace = make_workspace(model, parameters, grid.dt_s, grid.damping);
   Endings<S> endings;
   const double reach_m = height(model);
   const int steps = grid.steps();
+  const Beginning<S> beginning = beginning_of(model, parameters, grid);
+  workspace.running = beginning.begun(beginning.earliest);
+  StepReport<S> report{S(0.0), workspace.running};
 
+  const auto begin = [&](int n) {
+    const Mask<S> lanes = Mask<S>(beginning.begun(n) & !beginning.begun(n - 1));
+    if (n == beginning.earliest || !any(lanes)) return;
+    replace(lanes, rest, state);
+    workspace.running = Mask<S>(workspace.running | lanes);
+  };
   const auto end = [&](Ending::Status status, const Mask<S>& lanes, int n) {
     const Mask<S> ending = Mask<S>(workspace.running & lanes);
     if (!any(ending)) return;
     for (int i = 0; i < lanes_of<S>; ++i)
-      if (in_lane(ending, i)) endings[static_cast<std::size_t>(i)] = make_ending(status, n, state.time_s);
+      if (in_lane(ending, i))
+        endings[static_cast<std::size_t>(i)] = make_ending(status, std::max(0, n), n * grid.dt_s);
     workspace.running = Mask<S>(workspace.running & !ending);
   };
 
-  observe(0, activation(0.0), state, StepReport<S>{S(0.0), workspace.running});
-  for (int n = 1; n <= steps; ++n) {
-    const StepReport<S> report = advance(model, parameters, activation(state.time_s), state, workspace);
-    state.time_s = n * grid.dt_s;  // no accumulated round-off
-    end(Ending::Status::volume_lost, !report.ok, n);
-    if (n % steps_between_checks == 0 || n == steps)
-      end(Ending::Status::diverged, !within_reach(model, state, reach_m), n);
-    if (!any(workspace.running)) return endings;
-    observe(n, activation(state.time_s), state, report);
+  for (int n = beginning.earliest;; ++n) {
+    state.time_s = time_in_breath_s(grid, n);
+    if (n <= 0) begin(n);
+    const S active = grid.active(activation, n * grid.dt_s);
+    if (n >= 0) observe(n, active, state, report);
+    if (n == steps) break;
+    report = advance(model, parameters, active, state, workspace);
+    end(Ending::Status::volume_lost, !report.ok, n + 1);
+    if ((n + 1) % steps_between_checks == 0 || n + 1 == steps)
+      end(Ending::Status::diverged, !within_reach(model, state, reach_m), n + 1);
+    if (!any(workspace.running) && all(beginning.begun(n))) return endings;
   }
   end(Ending::Status::completed, workspace.running, steps);
   return endings;

@@ -2,15 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "math/units.hpp"
 
 namespace trunk {
 
 LungGain::LungGain(const Model& model)
-    : moving_(by_motion(model.lung_fans, model).moving),
-      start_(volume_of_fans<double>(moving_, model.rest)) {}
+    : moving_(by_motion(model.lung_fans, model).moving), rest_(volume_of_fans<double>(moving_, model.rest)) {}
 
 void require_lung(double lowest_volume, Ending& ending) {
   if (!ending.completed() || lowest_volume > 0.0) return;
@@ -21,8 +18,10 @@ void require_lung(double lowest_volume, Ending& ending) {
       ml_per_m3 * lowest_volume);
 }
 
-void require_lung(double start_volume, VolumeCurve& curve) {
-  require_lung(start_volume + *std::min_element(curve.delta_v.begin(), curve.delta_v.end()), curve.ending);
+double take_first_off(std::vector<double>& values) {
+  const double first = values.empty() ? 0.0 : values.front();
+  for (double& value : values) value -= first;
+  return first;
 }
 
 }  // namespace trunk

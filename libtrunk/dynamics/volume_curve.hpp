@@ -7,54 +7,65 @@
 
 namespace trunk {
 
-/// The lung volume above its start at every step, m3. A fit compares it with the measured one.
+/// The lung volume of a breath at every step, m3. A fit compares it with the measured one.
 struct VolumeCurve {
   Ending ending;
-  std::vector<double> delta_v;  // [steps + 1]; fewer where the simulation ended early
+  std::vector<double> delta_v;    // [steps + 1] above its value at t = 0; fewer where the run ended early
+  double above_relaxation = 0.0;  // the volume at t = 0 (end-expiration) above rest; 0 from rest
 };
+
+/// Subtracts the first of some values from all, and returns it; 0 if there are none.
+double take_first_off(std::vector<double>& values);
 
 /// Sets the ending to diverged if the lung volume fell to 0 or below: the lung has then turned inside out,
 /// and the result is not a breath.
 void require_lung(double lowest_volume, Ending& ending);
-void require_lung(double start_volume, VolumeCurve& curve);
 
-/// The lung volume above its start, m3. Triangles that never move add a constant and are left out.
+/// The lung volume above rest, m3. Triangles that never move add a constant and are left out.
 class LungGain {
  public:
   explicit LungGain(const Model& model);
 
-  /// Returns the volume above the start. position: [particles] m
+  /// Returns the volume above rest. position: [particles] m
   template <Scalar S>
   S of(std::span<const Vec3<S>> position) const noexcept {
-    return volume_of_fans<S>(moving_, position) - S(start_);
+    return volume_of_fans<S>(moving_, position) - S(rest_);
   }
 
  private:
   RingTable moving_;  // fans
-  double start_;      // m3, the volume of these triangles with the origin, at rest
+  double rest_;       // m3, the volume of these triangles with the origin, at rest
 };
 
-/// Simulates a trial and returns how each lane ended. => delta_v, the lung volume above its start at every
-/// step that was reached, m3
+/// Simulates a trial and returns how each lane ended. => gains, the lung volume above rest at every step that
+/// was reached, m3
 template <Scalar S>
 Endings<S> simulate_volume(const Model& model, const Trial<S>& trial, const TimeGrid& grid,
-                           std::vector<S>& delta_v) {
+                           std::vector<S>& gains) {
   const LungGain gain(model);
-  delta_v.reserve(static_cast<std::size_t>(grid.steps()) + 1);
+  gains.reserve(static_cast<std::size_t>(grid.steps()) + 1);
   return simulate_lanes(model, trial.parameters, trial.activation, grid,
                         [&](int, const S&, const State<S>& state, const StepReport<S>&) {
-                          delta_v.push_back(gain.of<S>(state.position));
+                          gains.push_back(gain.of<S>(state.position));
                         });
 }
 
-/// Returns the curve of one lane until it ended.
+/// Returns the number of samples of a simulation that ended like that.
+inline std::size_t samples_until(const Ending& ending) noexcept {
+  return static_cast<std::size_t>(ending.steps) + (ending.completed() ? 1 : 0);
+}
+
+/// Returns the curve of one lane until it ended. gains: above rest
 template <Scalar S>
-VolumeCurve curve_in_lane(const Model& model, std::span<const S> delta_v, Ending ending, int lane) {
-  const std::size_t seen = static_cast<std::size_t>(ending.steps) + (ending.completed() ? 1 : 0);
-  VolumeCurve curve{std::move(ending), {}};
-  curve.delta_v.reserve(seen);
-  for (const S& v : delta_v.first(seen)) curve.delta_v.push_back(in_lane(v, lane));
-  require_lung(enclosed_volume<double>(model.lung, model.rest), curve);
+VolumeCurve curve_in_lane(const Model& model, std::span<const S> gains, const Ending& ending, int lane) {
+  VolumeCurve curve{ending, {}};
+  curve.delta_v.reserve(samples_until(ending));
+  for (const S& v : gains.first(samples_until(ending))) curve.delta_v.push_back(in_lane(v, lane));
+  if (curve.ending.completed())
+    require_lung(enclosed_volume<double>(model.lung, model.rest) +
+                     *std::min_element(curve.delta_v.begin(), curve.delta_v.end()),
+                 curve.ending);
+  curve.above_relaxation = take_first_off(curve.delta_v);
   return curve;
 }
 
@@ -63,24 +74,24 @@ VolumeCurve curve_in_lane(const Model& model, std::span<const S> delta_v, Ending
 template <Scalar S>
 void calc_volume_curves(const Model& model, std::span<const Trial<double>> trials, const TimeGrid& grid,
                         std::span<VolumeCurve> curves) {
-  std::vector<S> delta_v;
-  const Endings<S> endings = simulate_volume(model, in_lanes<S>(trials), grid, delta_v);
+  std::vector<S> gains;
+  const Endings<S> endings = simulate_volume(model, in_lanes<S>(trials), grid, gains);
   for (std::size_t i = 0; i < trials.size(); ++i)
-    curves[i] = curve_in_lane<S>(model, delta_v, endings[i], static_cast<int>(i));
+    curves[i] = curve_in_lane<S>(model, gains, endings[i], static_cast<int>(i));
 }
 
-/// Calculates the volume curve of a trial and its derivatives along directions.
+/// Calculates the volume curve of a trial, and the derivatives of the volume above rest along directions.
 /// directions, derivatives: [0 to N].
 template <int N>
 void calc_volume_derivatives(const Model& model, const Trial<double>& trial,
                              std::span<const Trial<double>> directions, const TimeGrid& grid,
                              VolumeCurve& curve, std::span<std::vector<double>> derivatives) {
-  std::vector<Dual<N>> delta_v;
-  const auto endings = simulate_volume(model, with_tangents<N>(trial, directions), grid, delta_v);
-  curve = curve_in_lane<Dual<N>>(model, delta_v, endings[0], 0);
+  std::vector<Dual<N>> gains;
+  const auto endings = simulate_volume(model, with_tangents<N>(trial, directions), grid, gains);
+  curve = curve_in_lane<Dual<N>>(model, gains, endings[0], 0);
   for (std::size_t i = 0; i < directions.size(); ++i) {
     derivatives[i].clear();
-    for (const Dual<N>& v : std::span(delta_v).first(curve.delta_v.size()))
+    for (const Dual<N>& v : std::span(gains).first(curve.delta_v.size()))
       derivatives[i].push_back(in_lane(v.tangent, static_cast<int>(i)));
   }
 }

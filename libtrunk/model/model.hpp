@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -106,6 +107,15 @@ struct HeldVolume {
   PiecewiseLinear target;  // fraction of rest; empty: 1 at all times
 };
 
+/// How a trunk springs back (see measure_recoil). Its volume is close to that of one compartment,
+/// tau V' + V = gain (k_muscle / k_elasticity) A(t), with tau = time_factor damping / k_elasticity.
+struct Recoil {
+  double time_factor = 0.0;     // a pure number
+  double gain = 0.0;            // m3
+  double memory = 0.0;          // of what was before, a time in damping / k_elasticity
+  double abdomen_factor = 0.0;  // for which all this holds
+};
+
 /// Everything that stays constant during a simulation and between the runs of a fit. All values are in SI
 /// units.
 struct Model {
@@ -126,6 +136,7 @@ struct Model {
   std::vector<PressureLoad> pressures;
   std::vector<Triangle> lung;  // closed; its volume is measured and has no effect
   RingTable lung_fans;
+  std::optional<Recoil> recoil;  // measured if breathing repeats
 
   std::size_t particles() const noexcept { return rest.size(); }
 };

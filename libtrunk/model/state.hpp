@@ -60,4 +60,30 @@ State<S> rest_state(const Model& model) {
   return state;
 }
 
+/// Replaces the lanes of a state where the mask is true.
+template <Scalar S>
+void replace(const Mask<S>& lanes, const State<S>& by, State<S>& state) noexcept {
+  const auto put = [&](const auto& from, auto& to) { to = select(lanes, from, to); };
+  const auto put_vector = [&](const Vec3<S>& from, Vec3<S>& to) { to = select<S>(lanes, from, to); };
+  for (std::size_t i = 0; i < state.position.size(); ++i) {
+    put_vector(by.position[i], state.position[i]);
+    put_vector(by.previous[i], state.previous[i]);
+  }
+  for (std::size_t s = 0; s < state.contact.size(); ++s) {
+    put(by.contact[s].touching, state.contact[s].touching);
+    put(by.contact[s].sticking, state.contact[s].sticking);
+    put(by.contact[s].press, state.contact[s].press);
+  }
+  put(by.multiplier, state.multiplier);
+  for (std::size_t b = 0; b < state.body.size(); ++b) {
+    const auto& from = by.body[b];
+    auto& to = state.body[b];
+    put(from.pose.rotation.w, to.pose.rotation.w);
+    put_vector(from.pose.rotation.v, to.pose.rotation.v);
+    put_vector(from.pose.centre, to.pose.centre);
+    put_vector(from.velocity, to.velocity);
+    put_vector(from.angular_momentum, to.angular_momentum);
+  }
+}
+
 }  // namespace trunk

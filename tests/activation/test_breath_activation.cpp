@@ -93,3 +93,19 @@ TEST_CASE("Knots multiply the heights of the lines, which stay straight between 
   }
   CHECK(bent(0.8) == 0.0);
 }
+
+TEST_CASE("An activation that repeats lasts from one onset to the next", "[property][activation]") {
+  const BreathActivation<double> once{.onset_s = -0.3, .rise_s = 1.0, .fast_fall_s = 0.5, .slow_fall_s = 2.0};
+  const double breath_s = 3.0;  // shorter than the activation: its tail is cut
+  for (double t = -0.3; t < 2.7; t += 0.01) {
+    REQUIRE(once.repeated(t, breath_s) == Approx(once(t)).margin(1e-12));
+    for (const double breaths : {-7.0, -1.0, 1.0, 4.0})
+      REQUIRE(once.repeated(t + breaths * breath_s, breath_s) == Approx(once(t)).margin(1e-9));
+  }
+  CHECK(once.repeated(2.7 - just, breath_s) == Approx(once(2.7 - just)));  // of this breath
+  CHECK(once.repeated(2.7 + just, breath_s) == Approx(0.0).margin(1e-9));  // of the next one
+  CHECK(once.repeated(2.9, breath_s) == Approx(0.2));
+  BreathActivation<double> own = once;
+  own.period_s = 2.0;  // comes before that of the breath
+  CHECK(own.repeated(0.1 + 2.0, breath_s) == Approx(once(0.1)));
+}

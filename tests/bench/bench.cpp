@@ -52,8 +52,8 @@ Trials different(const Scenario& s, std::size_t count) {
 }
 
 TimeStepChoice chosen_step(const Subject& s, double stiffer = 1.0) {
-  return auto_time_step(s.trunk.model, s.scenario.parameters, s.scenario.activation,
-                        s.scenario.time.duration_s, stiffer);
+  return auto_time_step(s.trunk.model, s.scenario.parameters, s.scenario.activation, s.scenario.time,
+                        stiffer);
 }
 
 VolumeCurve breath_on(const Subject& s, const TimeGrid& grid) {

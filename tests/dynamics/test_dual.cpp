@@ -89,6 +89,37 @@ TEST_CASE("The derivatives of a whole breath agree with central differences", "[
   }
 }
 
+TEST_CASE("Derivatives pass through the breaths before", "[property][dynamics][slow]") {
+  Scenario scenario = shipped("hemiparalysis_right");
+  scenario.time = {2e-3, 2.0, Damping::implicit, Start::periodic};
+  scenario.activation.onset_s = -0.2005;  // so that every breath cuts the activation of the one before
+  scenario.activation.rise_s = 0.7993;
+  const Trunk trunk = make_trunk(scenario);
+  const Trial<double> trial{scenario.parameters, scenario.activation};
+  const auto directions = relative_directions(trial);
+  const VolumeDerivatives exact = simulate_volume_derivatives(trunk, trial, directions, scenario.time);
+  REQUIRE(exact.curve.ending.completed());
+  REQUIRE(exact.curve.above_relaxation != 0.0);
+  const double h = 1e-6;
+  for (std::size_t n = 0; n < directions.size(); ++n) {
+    const auto curve = [&](double by) {
+      const Trial<double> there = moved(trial, directions[n], by);
+      return simulate_volume(trunk, there.parameters, there.activation, scenario.time);
+    };
+    const VolumeCurve more = curve(h), less = curve(-h);
+    double apart = 0.0;
+    for (std::size_t step = 0; step < more.delta_v.size(); ++step)
+      apart = std::max(apart,
+                       std::abs((more.delta_v[step] - less.delta_v[step]) / (2 * h) - exact.along[n][step]));
+    const double size = largest_of(exact.along[n]);
+    CAPTURE(names[n], size, apart);
+    CHECK(size > 1e-6);
+    CHECK(apart < 1e-5 * size);
+    const double level = (more.above_relaxation - less.above_relaxation) / (2 * h);
+    CHECK(exact.above_relaxation[n] == Approx(level).margin(1e-5 * size));
+  }
+}
+
 TEST_CASE("Derivatives pass through loads, friction, moving ribs and free bodies", "[property][dynamics]") {
   const Scenario scenario = laden("healthy");
   const Trunk trunk = make_trunk(scenario);

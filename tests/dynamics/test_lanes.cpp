@@ -106,6 +106,28 @@ TEST_CASE("Every lane has the bits of its trial alone", "[property][dynamics]") 
   check_lanes(make_trunk(scenario).model, four_trials(scenario), {1e-3, 0.2});
 }
 
+TEST_CASE("Lanes that begin at different times have the bits of their trials alone", "[property][dynamics]") {
+  for (const char* name : {"healthy", "hemiparalysis_right", "bucket_handle"}) {
+    Scenario scenario = shipped(name);
+    scenario.time = {2e-3, 0.4, Damping::implicit, Start::periodic};
+    for (RigidPart& part : scenario.rigid)
+      part.imposed.angle = PiecewiseLinear({{0.0, 0.0}, {0.2, 0.01}, {0.4, 0.0}});
+    scenario.activation.rise_s = 0.15;
+    scenario.parameters.elasticity = 16000.0;  // a short memory
+    INFO(name);
+    const Model model = make_trunk(scenario).model;
+    auto trials = four_trials(scenario);
+    trials[1].activation.onset_s = -0.05;
+    trials[2].activation.period_s = name == std::string("bucket_handle") ? 0.0 : 0.3;
+    trials[3].parameters.elasticity /= 3.0;
+    check_lanes(model, trials, scenario.time);
+    // Lanes fail before the others begin, and before they begin themselves.
+    trials[3].parameters.muscle = std::nan("");
+    trials[0].parameters.elasticity = 1e7;
+    check_lanes(model, trials, scenario.time);
+  }
+}
+
 TEST_CASE("Lanes that fail do not disturb their neighbours", "[property][dynamics]") {
   const Scenario scenario = shipped("healthy");
   auto trials = four_trials(scenario);

@@ -116,7 +116,7 @@ TEST_CASE("The chosen time step is stable and its volume is within 0.1 % of that
                                    {"published_healthy", 5e-3}}) {
     const Scenario s = shipped(expected.name);
     const Trunk trunk = make_trunk(s);
-    const TimeStepChoice choice = auto_time_step(trunk.model, s.parameters, s.activation, s.time.duration_s);
+    const TimeStepChoice choice = auto_time_step(trunk.model, s.parameters, s.activation, s.time);
     CAPTURE(expected.name, choice.grid.dt_s, choice.stable_s, choice.estimated_error);
     CHECK(choice.grid.dt_s >= expected.at_least_s);
     CHECK(choice.grid.dt_s < choice.stable_s);
@@ -153,7 +153,8 @@ TEST_CASE("Stiffer and finer models, and faster breaths, get shorter steps", "[p
   for (const Scenario& s : {stiff, fine, sudden}) {
     const double duration_s = 0.15;
     const Trunk trunk = make_trunk(s);
-    const TimeStepChoice choice = auto_time_step(trunk.model, s.parameters, s.activation, duration_s);
+    const TimeStepChoice choice =
+        auto_time_step(trunk.model, s.parameters, s.activation, {.duration_s = duration_s});
     const auto delta_v = [&](const TimeGrid& grid) {
       const VolumeCurve curve = simulate_volume(trunk, s.parameters, s.activation, grid);
       REQUIRE(curve.ending.completed());
@@ -176,7 +177,8 @@ TEST_CASE("A model without stiffness gets a time step, although nothing bounds i
   Scenario loose = shipped("published_healthy");
   loose.parameters.elasticity = loose.parameters.muscle = 0.0;
   const Trunk trunk = make_trunk(loose);
-  const TimeStepChoice choice = auto_time_step(trunk.model, loose.parameters, loose.activation, 0.1);
+  const TimeStepChoice choice =
+      auto_time_step(trunk.model, loose.parameters, loose.activation, {.duration_s = 0.1});
   CHECK(std::isinf(choice.stable_s));
   CHECK(choice.grid.dt_s <= 8e-3);
 }
@@ -186,7 +188,7 @@ TEST_CASE("The error is infinite if no step is good enough", "[unit][dynamics]")
   const Model model = make_trunk(s).model;
   Parameters<double> repelled = s.parameters;
   repelled.elasticity *= -1.0;  // particles are pushed away from their rest shape
-  CHECK(std::isinf(auto_time_step(model, repelled, s.activation, 0.2).estimated_error));
+  CHECK(std::isinf(auto_time_step(model, repelled, s.activation, {.duration_s = 0.2}).estimated_error));
 }
 
 TEST_CASE("Without contact, centred damping leaves less than a tenth of the error",

@@ -31,7 +31,7 @@ Trunk build_timed_trunk(ScenarioFile& file, double stiffer) {
   Trunk trunk = build_trunk(file);
   Scenario& s = file.scenario;
   if (s.automatic_step) {
-    s.step_choice = auto_time_step(trunk.model, s.parameters, s.activation, s.time.duration_s, stiffer);
+    s.step_choice = auto_time_step(trunk.model, s.parameters, s.activation, s.time, stiffer);
     s.time = s.step_choice->grid;
     s.automatic_step = false;
   }

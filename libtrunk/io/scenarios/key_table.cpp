@@ -155,6 +155,15 @@ std::vector<Key> make_keys() {
       number(
           "time.duration_s", "s", one, 1e-3, 3600, [](Scenario& s) -> double& { return s.time.duration_s; },
           "how long to simulate"),
+      {"time.start",
+       "how the breath starts: with everything at rest, or in breathing that goes on (periodic)",
+       Key::Choice{{"rest", "periodic"},
+                   [](Scenario& s, int i) {
+                     s.time.start = static_cast<Start>(i);
+                     s.start_given = true;
+                   },
+                   [](const Scenario& s) { return static_cast<int>(s.time.start); }},
+       [](const Scenario& s) { return s.time.start == Start::rest && !s.start_given; }},
       {"time.dt_ms", "time step; auto: the longest with lung volumes within 0.1 % of those at short steps",
        Key::Number{"ms", ms, 1e-4, 1000, [](Scenario& s) -> double& { return s.time.dt_s; },
                    [](Scenario& s) -> bool& { return s.automatic_step; }}},

@@ -42,6 +42,7 @@ struct ScenarioKey {
   std::string_view path;  // table.key
   std::string_view meaning;
   std::variant<Number, Integer, Choice, Switch, Text, File> kind;
+  bool (*left_out)(const Scenario&) = nullptr;  // true: the writer leaves out the key; no function: never
 };
 
 std::span<const ScenarioKey> scenario_keys();

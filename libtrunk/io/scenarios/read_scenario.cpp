@@ -116,6 +116,7 @@ class Reader {
         throw InputError(place, fmt::format("{} is '{}'", path, text), expectation(*key));
       }
     assign(*key, *table.get("value"), place);
+    file_.settings.insert(path);
   }
 
  private:

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,8 @@ struct ScenarioFile {
   std::vector<std::filesystem::path> inputs;  // the file and all files that it names, for the provenance
   std::string mesh_read;                      // the file that scenario.mesh comes from
   std::map<std::string, Place> origin;        // path of a key -> place of the value that counts
+
+  std::set<std::string> settings;  // the keys that settings replaced, as --set does
 
   /// Returns the place where the key is set, or the file if it is set nowhere.
   Place where(const std::string& key) const;

@@ -27,6 +27,7 @@ std::string to_toml(const Scenario& s) {
   std::string text = "schema = \"trunk.scenario/1\"\n";
   std::string tables, open_table;
   for (const ScenarioKey& key : scenario_keys()) {
+    if (key.left_out && key.left_out(s)) continue;
     const auto dot = key.path.find('.');
     if (dot == std::string_view::npos) {
       text += fmt::format("{} = {}\n", key.path, toml_value(key, s));

@@ -177,7 +177,8 @@ TEST_CASE("A scenario written and read again is the same", "[property][io]") {
     const ScenarioFile file = read_scenario(folder.write("again.toml", text));
     const Scenario& again = file.scenario;
     check_equal(s, again);
-    for (const ScenarioKey& key : scenario_keys()) CHECK(file.origin.contains(std::string(key.path)));
+    for (const ScenarioKey& key : scenario_keys())
+      CHECK((file.origin.contains(std::string(key.path)) || (key.left_out && key.left_out(s))));
     CHECK(norm(again.gravity - s.gravity) == 0.0);
     CHECK(again.abdominal_volume(0.05) == s.abdominal_volume(0.05));
     REQUIRE(again.loads.size() == s.loads.size());
