@@ -4,6 +4,8 @@ libtrunk, and prints how far the two are apart. Exit code 0: within the toleranc
 
     build/trunk simulate scenarios/healthy.toml -o healthy.h5
     reference/oracle.py healthy.h5
+
+The rest shape is the first frame. A run whose breathing repeats does not begin at rest: --rest names one that does.
 """
 
 import argparse
@@ -22,11 +24,13 @@ from oracle.volume import enclosed_volume  # noqa: E402
 def compare(run, body):
     """(largest distance to the stored frames m, largest difference of dV ml, particle and step of the former)"""
     frames = dict(zip(run.frame_steps.tolist(), run.frames))
-    lung_at_rest = enclosed_volume(body.rest, body.anatomy.lung)
     worst = (0.0, 0, 0)
     apart_ml = 0.0
     for step, positions in enumerate(simulate(body, run.scenario["activation"])):
-        delta_v_ml = 1e6 * (enclosed_volume(positions, body.anatomy.lung) - lung_at_rest)
+        volume = enclosed_volume(positions, body.anatomy.lung)
+        if step == 0:
+            start = volume
+        delta_v_ml = 1e6 * (volume - start)
         apart_ml = np.maximum(apart_ml, abs(delta_v_ml - run.delta_v_ml[step]))  # keeps NaN
         if step in frames:
             distance = np.linalg.norm(positions.T - frames.pop(step), axis=1)
@@ -38,12 +42,13 @@ def compare(run, body):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("run", help="run file (HDF5) written by trunk simulate")
+    parser.add_argument("--rest", metavar="RUN", help="run of the same trunk that starts at rest")
     parser.add_argument("--tolerance", type=float, default=1e-9, metavar="M",
                         help="largest distance of a particle that passes, m (default %(default)s)")
     options = parser.parse_args()
     start = time.perf_counter()
     try:
-        run = read_run(options.run)
+        run = read_run(options.run, options.rest)
         body = Body(run)
     except (OSError, KeyError, ValueError) as error:
         print(f"oracle: {options.run}: not a run of trunk simulate: {error}", file=sys.stderr)

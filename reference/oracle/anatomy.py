@@ -26,7 +26,7 @@ class Anatomy:
     """Names, places and connections of the particles, none of it subject to the scenario's loads."""
 
     def __init__(self, run):
-        self.rest = rest = np.ascontiguousarray(run.frames[0].T)
+        self.rest = rest = np.ascontiguousarray(run.rest.T)
         self.surface, self.lung = run.triangles["abdomen_and_diaphragm"], run.triangles["lung"]
         self.muscle_lines = run.muscle_lines
         names = {}

@@ -8,6 +8,7 @@ from oracle.loads import course, dead_forces, displacements, pressures
 from oracle.ribs import Ribs
 from oracle.rigid import Driven, Fixed, Free
 from oracle.rings import rings_of
+from oracle.run import starts_at_rest
 from oracle.volume import enclosed_volume
 
 RINGS_AT_ONCE = 25  # their complex steps stay in the processor's cache
@@ -19,6 +20,7 @@ class Body:
         self.anatomy, self.dt = Anatomy(run), 1e-3 * s["time"]["dt_ms"]
         self.tissue, self.rest = Tissue(run, self.anatomy), self.anatomy.rest
         self.steps = round(1e3 * s["time"]["duration_s"] / s["time"]["dt_ms"])
+        self.breath_s, self.periodic = s["time"]["duration_s"], not starts_at_rest(s)
         self.mass = self.tissue.mass
         self.effective_mass = self.mass + self.dt * self.tissue.damping
         self.gravity = np.array(s.get("gravity_m_s2", [0.0, 0.0, 0.0]))[:, None]

@@ -6,10 +6,17 @@ from oracle.constraint import VolumeAndRibs
 from oracle.elasticity import shape_memory
 
 
-def activation(timing, t):
-    """A(t): a linear rise to 1, a fast fall to a level, a slow fall to 0."""
-    if timing["period_s"] > 0.0:
-        t %= timing["period_s"]
+MOST_BREATHS = 200  # until breathing repeats
+
+
+def activation(timing, t, breath_s=None):
+    """A(t): a linear rise to 1, a fast fall to a level, a slow fall to 0. In breathing that repeats, every `breath_s`
+    if the timing has no period of its own, it lasts from one onset to the next."""
+    period, onset = timing["period_s"], timing["onset_s"]
+    if breath_s is not None:
+        t = onset + (t - onset) % (period if period > 0.0 else breath_s)
+    elif period > 0.0:
+        t %= period
     corners = np.cumsum([timing["onset_s"], timing["rise_s"], timing["fast_fall_s"], timing["slow_fall_s"]])
     return np.interp(t, corners, [0.0, 1.0, timing["fast_fall_level"], 0.0])
 
@@ -45,16 +52,37 @@ def predict(body, positions, velocity, active, t, end):
     return predicted
 
 
+class Motion:
+    """Where the particles are and how fast, and what the constraint remembers."""
+
+    def __init__(self, body, timing):
+        self.body, self.timing = body, timing
+        self.positions, self.velocity = body.rest, np.zeros_like(body.rest)
+        self.constraint = VolumeAndRibs(body)
+
+    def breath(self):
+        """Yields the positions after each step of one breath."""
+        body, breath_s = self.body, self.body.breath_s if self.body.periodic else None
+        for step in range(body.steps):
+            t, end = step * body.dt, (step + 1) * body.dt
+            active = activation(self.timing, t, breath_s)
+            predicted = predict(body, self.positions, self.velocity, active, t, end)
+            planes = body.ribs.planes(predicted, self.positions, t, end)
+            corrected = self.constraint.solve(predicted, self.positions, planes, body.target(end))
+            self.velocity = (corrected - self.positions) / body.dt
+            self.positions = corrected
+            yield corrected
+
+
 def simulate(body, timing):
-    """Yields the positions at step 0 and after each step."""
-    positions, velocity = body.rest, np.zeros_like(body.rest)
-    constraint = VolumeAndRibs(body)
-    yield positions
-    for step in range(body.steps):
-        t, end = step * body.dt, (step + 1) * body.dt
-        predicted = predict(body, positions, velocity, activation(timing, t), t, end)
-        planes = body.ribs.planes(predicted, positions, t, end)
-        corrected = constraint.solve(predicted, positions, planes, body.target(end))
-        velocity = (corrected - positions) / body.dt
-        positions = corrected
-        yield positions
+    """Yields the positions at step 0 and after each step. If breathing repeats, step 0 is the end of whole breaths
+    from rest: as many as it takes until one ends where it began, to 1e-9 m."""
+    motion = Motion(body, timing)
+    for _ in range(MOST_BREATHS if body.periodic else 0):
+        began = motion.positions
+        for _ in motion.breath():
+            pass
+        if abs(motion.positions - began).max() < 1e-9:
+            break
+    yield motion.positions
+    yield from motion.breath()

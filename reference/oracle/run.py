@@ -12,6 +12,7 @@ from oracle.trunk_file import TrunkFile, read_trunk_file
 @dataclasses.dataclass
 class Run:
     scenario: dict
+    rest: np.ndarray  # [particles, xyz] m
     frames: np.ndarray  # [frames, particles, xyz] m
     frame_steps: np.ndarray
     delta_v_ml: np.ndarray  # [steps + 1]
@@ -33,15 +34,25 @@ def by_name(dataset, codes):
     return {name: np.flatnonzero(codes == value) for name, value in zip(names, dataset.attrs["flag_values"])}
 
 
-def read_run(path):
+def starts_at_rest(scenario):
+    return scenario["time"].get("start", "rest") == "rest"
+
+
+def read_run(path, rest_path=None):
+    """The rest shape is the first frame of `rest_path`, or of the run itself."""
+    rest = read_run(rest_path) if rest_path else None
     with h5py.File(path) as file:
         particles, connectivity, parameters = file["particles/trajectory"], file["connectivity"], file["parameters"]
         component, species = connectivity["triangle_component"], particles["species"]
         triangles = connectivity["triangles"][:]
+        scenario, frames = tomllib.loads(text_of(parameters["scenario_toml"][()])), particles["position/value"][:]
+        if not starts_at_rest(rest.scenario if rest else scenario):
+            raise ValueError("it does not start at rest: --rest has to name a run of this trunk that does")
         trunk = read_trunk_file(text_of(parameters["trunk_pml"][()])) if "trunk_pml" in parameters else None
         return Run(
-            scenario=tomllib.loads(text_of(parameters["scenario_toml"][()])),
-            frames=particles["position/value"][:],
+            scenario=scenario,
+            rest=rest.rest if rest else frames[0],
+            frames=frames,
             frame_steps=particles["position/step"][:],
             delta_v_ml=file["curves/dV_model"][:],
             triangles={name: triangles[rows] for name, rows in by_name(component, component[:]).items()},
