@@ -43,7 +43,10 @@ void note_loads(const Scenario& s, const BreathRun& run) {
   const bool loaded = dot(s.gravity, s.gravity) > 0.0 || !s.loads.empty();
   if (!loaded || !run.ending.completed()) return;
   const double at_end = ml_per_m3 * run.delta_v.back();
-  if (std::abs(at_end) > 1.0)
+  if (s.time.start == Start::periodic)
+    print_note(
+        "note: gravity and loads move the trunk from its rest shape; this is in the volume above relaxation");
+  else if (std::abs(at_end) > 1.0)
     print_note(fmt::format(
         "note: because of gravity or loads, the lung ends {:+.0f} ml from its volume at rest; the "
         "measures refer to the volume at rest",

@@ -105,16 +105,21 @@ void require_stable(const Scenario& s, const Trunk& trunk) {
                      fmt::format("a duration of {:.4g} s at {:.4g} ms makes {:.3g} steps", s.time.duration_s,
                                  ms_per_s * s.time.dt_s, steps),
                      "1 to 1e7");
+  require_memory(s, trunk);
+}
+
+void require_memory(const Scenario& s, const Trunk& trunk) {
   if (s.time.start == Start::rest) return;
   const double lead = lead_s(trunk.model, s.parameters);
-  if (!(lead <= longest_lead_s))
-    throw InputError(
-        {},
-        fmt::format("this trunk takes {:.3g} s to forget how it started, so its breathing cannot "
-                    "repeat",
-                    lead),
-        fmt::format("at most {:g} s", longest_lead_s),
-        "raise k_elasticity, change the damping, or set start = \"rest\" in [time]");
+  if (lead <= longest_lead_s) return;
+  throw InputError(
+      {},
+      std::isfinite(lead)
+          ? fmt::format("this trunk takes {:.3g} s to forget how it started, so its breathing cannot repeat",
+                        lead)
+          : "this trunk never forgets how it started, so its breathing cannot repeat",
+      fmt::format("at most {:g} s", longest_lead_s),
+      "raise k_elasticity, change the damping, or set start = \"rest\" in [time]");
 }
 
 }  // namespace trunk

@@ -48,7 +48,11 @@ TrunkMesh mesh_of(const Scenario& scenario);
 Trunk make_trunk(const Scenario& scenario);
 
 /// Throws InputError, which names the bound, unless the time step is below the stability bound at full
-/// activation, the duration is 1 to 1e7 steps, and breathing that repeats forgets its start in time.
+/// activation and the duration is 1 to 1e7 steps; and as require_memory does.
 void require_stable(const Scenario& scenario, const Trunk& trunk);
+
+/// Throws InputError if breathing should repeat, but the trunk does not forget its start in time (see
+/// lead_s).
+void require_memory(const Scenario& scenario, const Trunk& trunk);
 
 }  // namespace trunk

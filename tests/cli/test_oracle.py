@@ -154,6 +154,21 @@ class Oracle(TrunkTest):
         self.assert_agrees(self.scenario(BUCKET_HANDLE + FREE_TENDON), *RUBBING, "--set", "geometry.resolution=2",
                            "--set", "time.dt_ms=0.5", "--set", "time.duration_s=0.2", steps=400)
 
+    def test_breathing_that_repeats(self):
+        """The oracle finds the breath that repeats by itself: it breathes from rest until two breaths are the same."""
+        breath = ("--set", "time.duration_s=1.2", "--set", "activation.onset_s=-0.1", "--set", "activation.rise_s=0.5",
+                  "--set", "activation.slow_fall_s=0.7", *STEP)
+        self.succeeds("simulate", HEALTHY, "-o", "rest.h5", *SHORT)
+        self.succeeds("simulate", HEALTHY, "-o", "run.h5", *breath, "--set", "time.start=periodic")
+        answer = self.ask("run.h5", "--rest", "rest.h5", "--tolerance", "1e-6")
+        self.assertEqual(answer.returncode, 0, answer.stdout + answer.stderr)
+        with h5py.File(self.folder / "run.h5") as run:
+            level = run["measures/end_expiratory_above_relaxation_ml"][()]
+        self.assertGreater(level, 20)
+        answer = self.ask("run.h5")
+        self.assertEqual(answer.returncode, 2)
+        self.assertIn("--rest", answer.stderr)
+
     def test_sees_a_millionth_of_the_muscle(self):
         self.assert_sees(HEALTHY, *SHORT, change="parameters.k_muscle_N_per_m", factor=1 + 1e-6)
         self.assertEqual(self.ask("run.h5").returncode, 0)

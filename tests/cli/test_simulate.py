@@ -131,6 +131,70 @@ class Options(TrunkTest):
         own = self.file("own.toml", Path(HEALTHY).read_text())
         self.refused("simulate", own, "-o", own, *COARSE, "--force", says="own.toml")
 
+
+class BreathingThatRepeats(TrunkTest):
+    QUICK = ("--set", "time.duration_s=1.5", "--set", "activation.rise_s=0.5", "--set", "activation.slow_fall_s=0.4",
+             "--set", "time.dt_ms=3")
+    LEVEL = "end_expiratory_above_relaxation_ml"
+
+    def test_the_volume_above_relaxation_is_a_result(self):
+        rest = self.succeeds("simulate", HEALTHY, "-o", "rest.h5", *self.QUICK)
+        run = self.succeeds("simulate", HEALTHY, "-o", "run.h5", *self.QUICK, "--set", "time.start=periodic")
+        self.assertEqual(rest[self.LEVEL], 0)
+        self.assertGreater(run[self.LEVEL], 20)
+        self.assertAlmostEqual(run["end_expiratory_volume_ml"] - rest["end_expiratory_volume_ml"], run[self.LEVEL],
+                               delta=1e-6)
+        self.assertLess(run["delta_v_ml"], rest["delta_v_ml"])
+        self.assertEqual(run["steps"], rest["steps"])
+        self.assertEqual(self.succeeds("inspect", "run.h5")["measures"][self.LEVEL],
+                         {"value": run[self.LEVEL], "unit": "ml"})
+        self.assertRegex(self.trunk("inspect", "run.h5").out, rf"{self.LEVEL} +{run[self.LEVEL]:.6g} ml")
+        self.succeeds("replay", "run.h5", "--tolerance", "0")
+        self.succeeds("replay", "rest.h5", "--tolerance", "0")
+        self.assertIn(f"measures {self.LEVEL}", re.sub(" +", " ", self.trunk("diff", "rest.h5", "run.h5").out))
+
+    def test_a_file_says_how_its_breath_starts(self):
+        """A scenario that says nothing starts at rest, and its text still says nothing."""
+        own = self.file("own.toml", 'schema = "trunk.scenario/1"\n')
+        for settings, says in (((), None), (("--set", "time.start=rest"), "rest"),
+                               (("--set", "time.start=periodic"), "periodic")):
+            run = self.succeeds("simulate", own, "-o", "a.h5", "--force", *self.QUICK, *settings)
+            self.assertEqual(run[self.LEVEL] > 0, says == "periodic")
+            with h5py.File(self.folder / "a.h5") as file:
+                text = file["parameters/scenario_toml"][()].decode()
+            self.assertEqual(re.findall(r'(?m)^start = "(\w+)"', text), [says] if says else [])
+
+    def test_a_step_is_chosen_for_it(self):
+        run = self.succeeds("simulate", HEALTHY, "-o", "a.h5", "--set", "time.start=periodic", "--set",
+                            "time.dt_ms=auto")
+        exact = self.succeeds("simulate", HEALTHY, "-o", "b.h5", "--set", "time.start=periodic", "--set",
+                              "time.dt_ms=0.5")
+        self.assertGreater(run["dt_s"], 0.002)
+        self.assertAlmostEqual(run[self.LEVEL], exact[self.LEVEL], delta=1e-3 * exact["delta_v_ml"])
+        self.assertAlmostEqual(run["delta_v_ml"], exact["delta_v_ml"], delta=1e-3 * exact["delta_v_ml"])
+
+    def test_what_cannot_repeat(self):
+        periodic = ("--set", "time.start=periodic")
+        for settings, says in ((("parameters.damping_N_s_per_m=0",), "never forgets"),
+                               (("parameters.damping_N_s_per_m=0", "time.dt_ms=auto"), "never forgets"),
+                               (("parameters.k_elasticity_N_per_m=10",), "takes 5.. s to forget"),
+                               (("time.start=often",), '"rest", "periodic"')):
+            every = [part for setting in settings for part in ("--set", setting)]
+            self.refused("simulate", HEALTHY, "-o", "a.h5", *periodic, *every, says=says)
+        own = self.file("own.toml", f'extends = "{HEALTHY}"\nabdominal_volume_fraction = [[0, 1], [1, 1.01]]\n')
+        self.refused("simulate", own, "-o", "a.h5", *periodic, says="cannot repeat")
+
+    def test_one_that_fails_before_its_breath_is_kept(self):
+        own = self.file("own.toml", f'extends = "{HEALTHY}"\n[[force]]\nregion = "central_tendon"\n'
+                                    "direction = [0, 0, 1]\nevents_N = [[0, 100000]]\n")
+        outcome = self.trunk("simulate", own, "-o", "a.h5", "--set", "time.start=periodic", "--json")
+        self.assertEqual(outcome.code, 3, str(outcome))
+        self.assertIn(outcome.json()["status"], ("diverged", "volume_lost"))
+        self.assertIsNone(outcome.json()[self.LEVEL])
+        self.assertEqual(self.succeeds("inspect", "a.h5")["status"], outcome.json()["status"])
+        self.succeeds("replay", "a.h5", "--tolerance", "0")
+
+
 class ChosenTimeStep(TrunkTest):
     def test_auto_is_longer_and_as_good(self):
         chosen = self.succeeds("simulate", HEALTHY, "-o", "a.h5", "--set", "time.dt_ms=auto")

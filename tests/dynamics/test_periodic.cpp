@@ -230,7 +230,9 @@ TEST_CASE("What cannot repeat is refused", "[unit][dynamics]") {
   refused("here:7");
   s = breathing("healthy", 2.0);
   s.parameters.damping = 0.0;
-  refused("to forget how it started");
+  refused("never forgets how it started");
+  s.parameters = {10.0, 0.1, 20.0, 0.8};
+  refused("s to forget how it started");
   s = breathing("healthy", 2.0);
   s.time.start = Start::rest;
   const Trunk unmeasured = make_trunk(s);

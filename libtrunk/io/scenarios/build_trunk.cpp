@@ -6,7 +6,14 @@ namespace trunk {
 
 Trunk build_trunk(const ScenarioFile& file) {
   Trunk trunk = assemble_trunk(file);
-  if (!file.scenario.automatic_step) require_stable(file, trunk);
+  if (!file.scenario.automatic_step)
+    require_stable(file, trunk);
+  else
+    try {
+      require_memory(file.scenario, trunk);
+    } catch (const InputError& error) {
+      rethrow_at(file.where("time.start"), error);
+    }
   return trunk;
 }
 

@@ -18,6 +18,7 @@ const names = {
   max_relative_volume_error: 'largest relative error of the abdominal volume',
   flipped_triangles: 'lung triangles turned over',
   abdominal_pressure_peak_cmH2O: 'peak abdominal pressure',
+  end_expiratory_above_relaxation_ml: 'end-expiratory volume above relaxation',
   nrmse_percent: 'residual (RMS of tidal volume)',
   baseline_nrmse_percent: 'the same of a one-compartment model',
   bic: 'BIC',

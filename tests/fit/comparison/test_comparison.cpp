@@ -124,3 +124,13 @@ TEST_CASE("Fits differ in estimates, statistics, curves and the best run", "[com
                                                         "parameters k_muscle upper95", "statistics nrmse",
                                                         "result dV_fit", "measures delta_l"});
 }
+
+TEST_CASE("A run from before breathing could repeat began at rest", "[comparison]") {
+  const RunRecord old = sample_run();
+  RunRecord now = old;
+  now.measures.push_back({"end_expiratory_above_relaxation_ml", "ml", 0.0});
+  CHECK(compare_runs(old, now, {}).same());
+  CHECK(compare_runs(now, old, {}).same());
+  now.measures.back().value = 12.0;
+  CHECK(names(compare_runs(old, now, usual)) == Names{"measures end_expiratory_above_relaxation_ml"});
+}
