@@ -57,9 +57,10 @@ class Running {
  public:
   explicit Running(const SweepBatch& batch) : batch_(batch) {}
 
-  /// Adds a failed row for each unstable run, and simulates the others.
+  /// Adds a failed row for each run that is unstable or cannot repeat, and simulates the others.
   std::vector<FinishedRun> simulate(std::vector<PreparedRun> runs) {
-    if (!surely_stable(runs)) std::erase_if(runs, [&](const PreparedRun& p) { return fails_as_unstable(p); });
+    const bool stable = surely_stable(runs);
+    std::erase_if(runs, [&](const PreparedRun& p) { return is_refused(p, stable); });
     while (!runs.empty()) {  // each pass takes the runs of one time grid
       const TimeGrid grid = runs.front().file.scenario.time;
       const auto others = std::stable_partition(
@@ -81,9 +82,9 @@ class Running {
     return batch_.stable.holds(batch_.trunk, scenarios);
   }
 
-  bool fails_as_unstable(const PreparedRun& p) {
+  bool is_refused(const PreparedRun& p, bool stable) {
     try {
-      require_stable(p.file, batch_.trunk);
+      stable ? require_memory(p.file, batch_.trunk) : require_stable(p.file, batch_.trunk);
       return false;
     } catch (const InputError& error) {
       done_.push_back({invalid_row(batch_.design, p.run, error), std::nullopt});

@@ -99,13 +99,16 @@ void require_stable(const Scenario& s, const Trunk& trunk) {
             "damping {:.4g} N s/m",
             ms_per_s * s.time.dt_s, s.parameters.elasticity, s.parameters.muscle, s.parameters.damping),
         fmt::format("less than {:.4g} ms", ms_per_s * bound), "lower time.dt_ms");
-  const double steps = s.time.duration_s / s.time.dt_s;
-  if (!(steps >= 1.0 && steps <= 1e7))
-    throw InputError({},
-                     fmt::format("a duration of {:.4g} s at {:.4g} ms makes {:.3g} steps", s.time.duration_s,
-                                 ms_per_s * s.time.dt_s, steps),
-                     "1 to 1e7");
   require_memory(s, trunk);
+  const double lead = s.time.start == Start::rest ? 0.0 : lead_s(trunk.model, s.parameters);
+  const double steps = s.time.duration_s / s.time.dt_s, steps_before = lead / s.time.dt_s;
+  if (!(steps >= 1.0 && steps + steps_before <= 1e7))
+    throw InputError(
+        {},
+        fmt::format("a duration of {:.4g} s at {:.4g} ms makes {:.3g} steps", s.time.duration_s,
+                    ms_per_s * s.time.dt_s, steps) +
+            (lead > 0.0 ? fmt::format(", after {:.3g} in which breathing repeats", steps_before) : ""),
+        "1 to 1e7");
 }
 
 void require_memory(const Scenario& s, const Trunk& trunk) {

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "activation/breath_activation.hpp"
 #include "model/workspace.hpp"
 
 namespace trunk {
@@ -22,8 +23,8 @@ struct TimeGrid {
   bool operator==(const TimeGrid&) const = default;
 
   /// Returns the activation at a time.
-  template <class Activation>
-  auto active(const Activation& activation, double time_s) const noexcept {
+  template <Scalar S>
+  S active(const BreathActivation<S>& activation, double time_s) const noexcept {
     return start == Start::periodic ? activation.repeated(time_s, duration_s) : activation(time_s);
   }
 };

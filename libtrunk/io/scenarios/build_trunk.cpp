@@ -6,14 +6,10 @@ namespace trunk {
 
 Trunk build_trunk(const ScenarioFile& file) {
   Trunk trunk = assemble_trunk(file);
-  if (!file.scenario.automatic_step)
-    require_stable(file, trunk);
+  if (file.scenario.automatic_step)
+    require_memory(file, trunk);
   else
-    try {
-      require_memory(file.scenario, trunk);
-    } catch (const InputError& error) {
-      rethrow_at(file.where("time.start"), error);
-    }
+    require_stable(file, trunk);
   return trunk;
 }
 
@@ -31,6 +27,14 @@ void require_stable(const ScenarioFile& file, const Trunk& trunk) {
     require_stable(file.scenario, trunk);
   } catch (const InputError& error) {
     rethrow_at(file.where("time.dt_ms"), error);
+  }
+}
+
+void require_memory(const ScenarioFile& file, const Trunk& trunk) {
+  try {
+    require_memory(file.scenario, trunk);
+  } catch (const InputError& error) {
+    rethrow_at(file.where("time.start"), error);
   }
 }
 

@@ -12,8 +12,9 @@ Trunk build_trunk(const ScenarioFile& file);
 /// simulations. The step suits a model that is `stiffer` times as stiff.
 Trunk build_timed_trunk(ScenarioFile& file, double stiffer = 1.0);
 
-/// The two parts of build_trunk.
+/// The parts of build_trunk. require_stable does what require_memory does as well.
 Trunk assemble_trunk(const ScenarioFile& file);
 void require_stable(const ScenarioFile& file, const Trunk& trunk);
+void require_memory(const ScenarioFile& file, const Trunk& trunk);
 
 }  // namespace trunk

@@ -150,7 +150,7 @@ std::vector<Key> make_keys() {
       number(
           "activation.period_s", "s", one, 0, 600,
           [](Scenario& s) -> double& { return s.activation.period_s; },
-          "the pattern repeats after this time; 0: it occurs once"),
+          "the pattern repeats after this time; 0: it occurs once, or with each breath if breathing repeats"),
 
       number(
           "time.duration_s", "s", one, 1e-3, 3600, [](Scenario& s) -> double& { return s.time.duration_s; },
