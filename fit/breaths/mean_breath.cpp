@@ -84,9 +84,12 @@ double sigma_at(const Segmentation& segmentation, const Breaths& used, const Mea
 MeasuredBreath averaged(const Segmentation& segmentation, const Breaths& used, int samples) {
   MeasuredBreath mean = mean_timing(used);
   mean.time_s = even_grid(mean.duration_s, samples);
+  mean.used = used;
+  mean.each_m3.resize(used.size());
   const double noise = noise_deviation(segmentation.volume_m3);
   for (const double t : mean.time_s) {
     const auto volumes = values_at(segmentation, segmentation.volume_m3, used, mean, t);
+    for (std::size_t b = 0; b < used.size(); ++b) mean.each_m3[b].push_back(volumes[b]);
     mean.volume_m3.push_back(mean_of(volumes));
     mean.sigma_m3.push_back(sigma_at(segmentation, used, mean, t, volumes, noise));
   }
@@ -94,6 +97,7 @@ MeasuredBreath averaged(const Segmentation& segmentation, const Breaths& used, i
     mean.standard_error_m3.push_back(sigma / std::sqrt(static_cast<double>(used.size())));
   // By definition of the base line the volume is 0 there; the samples hold noise.
   mean.volume_m3.front() = mean.volume_m3.back() = 0;
+  for (auto& volume : mean.each_m3) volume.front() = volume.back() = 0;
   mean.breaths_used = static_cast<int>(used.size());
   return mean;
 }

@@ -16,6 +16,10 @@ struct MeasuredBreath {
   double inspiration_s = 0, duration_s = 0, tidal_volume_m3 = 0;  ///< means over the breaths used
   double pause_s = 0;  ///< mean rest at the end of expiration, part of duration_s
   int breaths_used = 0, breaths_rejected = 0;
+  std::vector<Breath> used;  ///< [breaths] the breaths that are averaged, with their times and sizes
+  /// [breaths][samples] their volumes, stretched as for the mean and exactly 0 at both ends: volume_m3 is
+  /// their mean. The spread of what is fitted comes from them.
+  std::vector<std::vector<double>> each_m3;
 };
 
 /// Returns the mean of the kept breaths. Inspirations and expirations are stretched linearly to their mean

@@ -36,6 +36,35 @@ TEST_CASE("The mean breath keeps shape, timing and size", "[unit][breaths]") {
   CHECK(mean_breath(found).time_s.size() == 200);
 }
 
+TEST_CASE("Each breath that is averaged is there, stretched as the mean is", "[unit][breaths]") {
+  Record record;
+  record.breaths = {{450e-6, 1.2, 2.0, 0}, {550e-6, 1.8, 2.4, 0}, {1300e-6, 1.5, 2.2, 0},
+                    {450e-6, 1.2, 2.0, 0}, {550e-6, 1.8, 2.4, 0}, {450e-6, 1.2, 2.0, 0}};
+  const Segmentation found = segment_breaths(volume_trace(record));
+  const MeasuredBreath mean = mean_breath(found, 101);
+  REQUIRE(mean.each_m3.size() == 5);
+  REQUIRE(mean.used.size() == 5);
+  for (std::size_t b = 0; b < 5; ++b) {
+    const SyntheticShape& shape = record.breaths[b < 2 ? b : b + 1];
+    CHECK(mean.used[b].tidal_volume_m3 == Approx(shape.tidal_volume_m3).epsilon(0.01));
+    REQUIRE(mean.each_m3[b].size() == 101);
+    CHECK(mean.each_m3[b].front() == 0);
+    CHECK(mean.each_m3[b].back() == 0);
+    const SyntheticShape stretched{shape.tidal_volume_m3, mean.inspiration_s,
+                                   mean.duration_s - mean.inspiration_s, 0};
+    for (std::size_t i = 0; i < 101; ++i)
+      REQUIRE(mean.each_m3[b][i] == Approx(volume_in(stretched, mean.time_s[i])).margin(15e-6));
+  }
+  for (std::size_t i = 0; i < 101; ++i) {
+    double sum = 0;
+    for (const auto& volume : mean.each_m3) sum += volume[i];
+    REQUIRE(mean.volume_m3[i] == Approx(sum / 5).margin(1e-12));
+  }
+  const MeasuredBreath sigh = single_breath(found, 3);
+  REQUIRE(sigh.each_m3.size() == 1);
+  CHECK(sigh.each_m3.front() == sigh.volume_m3);
+}
+
 TEST_CASE("Rejected breaths are not averaged, but can be asked for", "[unit][breaths]") {
   Record record;
   record.breaths[2].tidal_volume_m3 = 1300e-6;
