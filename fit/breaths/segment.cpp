@@ -138,6 +138,7 @@ void calibrate(Segmentation& result, double tidal_volume_m3) {
   const double factor = tidal_volume_m3 / found;
   for (double& v : result.volume_m3) v *= factor;
   for (double& v : result.sigma_m3) v *= factor;
+  for (double& v : result.rest.value) v *= factor;
   for (Breath& breath : result.breaths)
     for (double* v : {&breath.tidal_volume_m3, &breath.inspired_m3, &breath.expired_m3}) *v *= factor;
   result.notes.push_back("scaled so that the median tidal volume is " + volume_text(tidal_volume_m3, true) +
@@ -147,19 +148,6 @@ void calibrate(Segmentation& result, double tidal_volume_m3) {
 
 void subtract_baseline(VolumeSignal& signal, const KnotLine& rest, double drift) {
   for (std::size_t i = 0; i < signal.time_s.size(); ++i) signal.volume[i] -= rest(signal.time_s[i], drift);
-}
-
-// Lungs rest near their lowest volume. A signal that spends 1.5 times as long above three quarters of its
-// breaths as below one quarter is probably inverted (our choice).
-bool rests_full(const Segmentation& s) {
-  double low = 0, high = 0;
-  for (const Breath& b : s.breaths)
-    for (std::size_t i = 0; i < s.time_s.size(); ++i)
-      if (s.time_s[i] >= b.onset_s && s.time_s[i] < b.end_s) {
-        low += s.volume_m3[i] < 0.25 * b.tidal_volume_m3 ? 1 : 0;
-        high += s.volume_m3[i] > 0.75 * b.tidal_volume_m3 ? 1 : 0;
-      }
-  return high > 1.5 * low;
 }
 
 void add_notes(Segmentation& result, double drift_of_tidal_volume) {
@@ -174,10 +162,6 @@ void add_notes(Segmentation& result, double drift_of_tidal_volume) {
   if (before > 0.05 * period || after > 0.05 * period)
     result.notes.push_back("not used: " + seconds(before) + " before the first and " + seconds(after) +
                            " after the last whole breath");
-  if (rests_full(result))
-    result.notes.push_back(
-        "the signal rests near its highest values, but lungs rest near their lowest: if it is positive on "
-        "expiration, use --invert");
 }
 
 }  // namespace
@@ -195,7 +179,8 @@ Segmentation segment_breaths(const Trace& trace, const BreathSelection& selectio
                       trace.notes,
                       trace.sigma_m3,
                       trace.source,
-                      trace.kind != SignalKind::belt};
+                      trace.kind != SignalKind::belt,
+                      marks.rest};
   result.notes.insert(result.notes.end(), signal.notes.begin(), signal.notes.end());
   const double period = median_of(result.breaths, duration), volume = median_of(result.breaths, tidal_volume);
   check_period(trace, period);

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "breaths/breath.hpp"
+#include "breaths/knot_line.hpp"
 #include "breaths/selection.hpp"
 #include "traces/trace.hpp"
 
@@ -17,6 +18,7 @@ struct Segmentation {
   std::vector<double> sigma_m3;    ///< [samples] sigma of the trace, or empty
   std::string source;              ///< file name of the trace, for messages
   bool calibrated = true;          ///< false for a belt: members in m3 are in the belt's own unit
+  KnotLine rest;  ///< [breaths+1] the ends of expiration: time s, and volume m3 before drift is removed
 };
 
 /// Returns the breaths of a trace. The steps are: repair and integrate (volume_signal), find turning points

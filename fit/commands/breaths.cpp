@@ -5,6 +5,7 @@
 #include "commands/options/trace_options.hpp"
 #include "commands/text/breath_table.hpp"
 #include "files/replace_file.hpp"
+#include "gates/gates.hpp"
 
 namespace trunk {
 namespace {
@@ -26,8 +27,15 @@ Exit breaths_command(const Common& common, const BreathsRequest& request) {
     const std::string csv = breaths_csv(s);
     replace_file(request.csv, std::as_bytes(std::span(csv)));
   }
-  for (const std::string& note : s.notes) print_note("note: " + note);
   Json json = breaths_json(s);
+  const Screening screening = screened(s, std::nullopt);
+  json["gates"] = Json::array();
+  for (const Gate& gate : screening.gates) {
+    json["gates"].push_back(gate.name);
+    json["notes"].push_back(gate.sentence);
+  }
+  for (const std::string& note : screening.notes) json["notes"].push_back(note);
+  for (const Json& note : json["notes"]) print_note("note: " + note.get<std::string>());
   if (request.curve) json["curve"] = curve_json(s);
   print_result(common, json, breaths_text(s));
   return Exit::done;

@@ -104,6 +104,20 @@ TEST_CASE("A drift is removed, from a volume and from a flow's integral", "[unit
   }
 }
 
+TEST_CASE("The levels of rest are those before drift is removed, in the unit of the volume",
+          "[unit][breaths]") {
+  Record record;
+  record.drift_m3_s = 20e-6;
+  const Segmentation found = segment_breaths(volume_trace(record));
+  REQUIRE(found.rest.time.size() == found.breaths.size() + 1);
+  for (std::size_t i = 0; i < found.rest.time.size(); ++i)
+    CHECK(found.rest.value[i] == Approx(20e-6 * found.rest.time[i]).margin(8e-6));
+  BreathSelection scaled;
+  scaled.calibrate_tidal_volume_m3 = 1000e-6;
+  CHECK(segment_breaths(volume_trace(record), scaled).rest.value.back() ==
+        Approx(2 * found.rest.value.back()).epsilon(0.02));
+}
+
 TEST_CASE("Resets of the volume are undone", "[unit][breaths]") {
   Record record;
   record.breaths.resize(8);

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "breaths/segment.hpp"
+#include "gates/trace_signs.hpp"
+
+namespace trunk {
+
+/// Why a recording must not be fitted as it is: muscle against recoil, the recoil time constant and stiffness
+/// in N/m are withheld.
+struct Gate {
+  std::string name;  ///< for files: upside_down, machine_driven, subject_size, wander, not_a_breathing_signal
+  std::string sentence;  ///< what is wrong and what to do
+};
+
+/// What stands against a fit, before anything is simulated.
+struct Screening {
+  std::vector<Gate> gates;
+  std::vector<std::string> notes;  ///< what is accepted and the user should know
+  /// Relative standard error of the tidal volume by a gain that differs with the direction of flow; it goes
+  /// into all volumes, added to other errors as the root of the sum of squares.
+  double tidal_volume_error = 0;
+};
+
+/// Returns what stands against fitting a recording. `end_expiratory_m3` is the volume of the lungs of the
+/// trunk at rest; without it, as for a belt without calibration, size is not judged. The limits:
+///
+/// * upside_down: see upside_down.hpp. If it is unclear, a note asks.
+/// * machine_driven: inspiratory flow rises within 0.10 s, or both rise and release take less than 0.17 s.
+/// For
+///   breaths shorter than 2 s, as infants take, these times are shorter in proportion.
+/// * subject_size: a tidal volume outside 2 to 80 % of the end-expiratory volume.
+/// * wander: the end-expiratory level varies by more than half a tidal volume.
+/// * not_a_breathing_signal: in- and expired volume differ by more than 1.5 of their mean, as of a flow that
+///   has lost its sign and of a volume that counts up.
+///
+/// A gain mismatch d of in- and expired volume is no gate. For 0.02 < |d| < 0.3 the relative error of the
+/// tidal volume is 0.22 |d|. A larger one is an offset of the flow, which is removed breath by breath; a note
+/// says so. The limits are our choice: they separate the recordings and the constructed breaths of
+/// tests/fit/gates.
+Screening screened(const TraceSigns& signs, std::optional<double> end_expiratory_m3);
+Screening screened(const Segmentation& segmentation, std::optional<double> end_expiratory_m3);
+
+/// Returns the gate of a tidal volume that a trunk cannot have, for a fit to one number too.
+std::optional<Gate> subject_size(double tidal_volume_m3, double end_expiratory_m3);
+
+}  // namespace trunk

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "breaths/segment.hpp"
+#include "gates/upside_down.hpp"
+
+namespace trunk {
+
+/// What the breaths of a recording look like, as far as it says whether they can be fitted. Medians over the
+/// kept breaths, or over all if none is kept.
+struct TraceSigns {
+  Orientation orientation;
+  /// Inspired less expired volume over their mean, before any drift is removed: a gain that differs with the
+  /// direction of flow, or an offset.
+  double gain_mismatch = 0;
+  /// Standard deviation of the end-expiratory level over VT after a line is removed: the median over blocks
+  /// of at most 60 breaths (our choice), since an integrated flow strays over hours and no breath notices.
+  double wander = 0;
+  double tidal_volume_m3 = 0;  ///< of a belt, in its own unit
+  double inspiration_s = 0;
+  double step_s = 0;        ///< between samples, mean
+  std::size_t breaths = 0;  ///< kept
+};
+
+TraceSigns trace_signs(const Segmentation& segmentation);
+
+}  // namespace trunk

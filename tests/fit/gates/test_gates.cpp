@@ -1,0 +1,189 @@
+#include "gates/gates.hpp"
+
+#include <set>
+
+#include "support/breath_records.hpp"
+#include "support/breathers.hpp"
+#include "support/catch.hpp"
+
+using namespace trunk;
+
+namespace {
+
+constexpr double adult_m3 = 4760e-6;
+
+std::set<std::string> fired(const Trace& trace, std::optional<double> end_expiratory_m3 = adult_m3) {
+  std::set<std::string> names;
+  for (const Gate& gate : screened(segment_breaths(trace), end_expiratory_m3).gates) names.insert(gate.name);
+  return names;
+}
+
+Trace upside_down(Trace trace) {
+  for (double& v : trace.value) v = -v;
+  return trace;
+}
+
+test::Breather breather(const test::MuscleShape& activation, double recoil_s, double period_s) {
+  test::Breather who;
+  who.activation = activation, who.recoil_s = recoil_s, who.period_s = period_s;
+  return who;
+}
+
+// Signs that fire nothing.
+TraceSigns no_signs() {
+  TraceSigns signs;
+  signs.orientation = {-0.8, 0.05, Upright::yes, {0.5, 0.3, 4}};
+  signs.tidal_volume_m3 = 500e-6, signs.inspiration_s = 1.6, signs.step_s = 0.01, signs.breaths = 12;
+  return signs;
+}
+
+std::string only_gate(const TraceSigns& signs, std::optional<double> end_expiratory_m3 = adult_m3) {
+  const Screening screening = screened(signs, end_expiratory_m3);
+  return screening.gates.size() == 1 ? screening.gates.front().name
+                                     : std::to_string(screening.gates.size()) + " gates";
+}
+
+}  // namespace
+
+TEST_CASE("Every limit of a gate separates", "[unit][gates]") {
+  TraceSigns signs = no_signs();
+  CHECK(only_gate(signs) == "0 gates");
+  CHECK(screened(signs, adult_m3).notes.empty());
+  SECTION("machine_driven") {
+    signs.orientation.flow = {0.11, 0.18, 4};
+    CHECK(only_gate(signs) == "0 gates");
+    signs.orientation.flow = {0.09, 0.18, 4};
+    CHECK(only_gate(signs) == "machine_driven");
+    CHECK_THAT(screened(signs, adult_m3).gates.front().sentence,
+               StartsWith("not driven by a muscle?") && Contains("rises within 90 ms"));
+    signs.orientation.flow = {0.16, 0.16, 4};
+    CHECK(only_gate(signs) == "machine_driven");
+    signs.orientation.flow = {0.11, 0.07, 1};  // an infant's breath is short
+    CHECK(only_gate(signs) == "0 gates");
+    signs.orientation.flow = {0, 0, 4};  // not seen
+    CHECK(only_gate(signs) == "0 gates");
+  }
+  SECTION("subject_size") {
+    signs.tidal_volume_m3 = 96e-6;
+    CHECK(only_gate(signs) == "0 gates");
+    signs.tidal_volume_m3 = 94e-6;
+    CHECK(only_gate(signs) == "subject_size");
+    CHECK(only_gate(signs, std::nullopt) == "0 gates");
+    CHECK_THAT(screened(signs, adult_m3).gates.front().sentence,
+               Contains("94 ml is 2 %") && Contains("this trunk is an adult's of 4760 ml"));
+    signs.tidal_volume_m3 = 3850e-6;
+    CHECK(only_gate(signs) == "subject_size");
+    CHECK_THAT(subject_size(200e-6, 200e-6)->sentence, Contains("this trunk is one of 200 ml"));
+  }
+  SECTION("wander") {
+    signs.wander = 0.49;
+    CHECK(only_gate(signs) == "0 gates");
+    signs.wander = 0.51;
+    CHECK(only_gate(signs) == "wander");
+  }
+  SECTION("in- and expired volume") {
+    signs.gain_mismatch = GENERATE(-0.019, 0.019);
+    CHECK(screened(signs, adult_m3).tidal_volume_error == 0);
+    signs.gain_mismatch *= 10;
+    CHECK(screened(signs, adult_m3).tidal_volume_error == Approx(0.22 * 0.19));
+    CHECK(only_gate(signs) == "0 gates");
+    signs.gain_mismatch *= 2;
+    CHECK(screened(signs, adult_m3).tidal_volume_error == 0);
+    CHECK_THAT(screened(signs, adult_m3).notes.at(0), Contains("offset"));
+    CHECK(only_gate(signs) == "0 gates");
+    signs.gain_mismatch *= 5;
+    CHECK(only_gate(signs) == "not_a_breathing_signal");
+  }
+  SECTION("upside_down") {
+    signs.orientation.upright = Upright::no;
+    CHECK(only_gate(signs) == "upside_down");
+    CHECK_THAT(screened(signs, adult_m3).gates.front().sentence, Contains("--invert"));
+    signs.orientation.upright = Upright::unclear;
+    CHECK(only_gate(signs) == "0 gates");
+    CHECK_THAT(screened(signs, adult_m3).notes.at(0), Contains("which way is up"));
+  }
+  SECTION("doubts") {
+    signs.breaths = 2, signs.inspiration_s = 0.05, signs.tidal_volume_m3 = 2100e-6;
+    const Screening screening = screened(signs, adult_m3);
+    REQUIRE(screening.notes.size() == 3);
+    CHECK_THAT(screening.notes[0], StartsWith("2 breath(s) used"));
+    CHECK_THAT(screening.notes[1], StartsWith("5.0 samples per inspiration"));
+    CHECK_THAT(screening.notes[2], StartsWith("a tidal volume of 2100 ml is beyond"));
+  }
+}
+
+TEST_CASE("Breaths that a muscle drives pass, and upside down they are seen or asked about",
+          "[unit][gates]") {
+  for (const auto& [name, activation] : test::muscle_shapes())
+    for (const double recoil : {0.15, 0.3, 0.6, 1.2})
+      for (const double period : {1.75, 3.3, 6.0})
+        for (const double rate : {25.0, 100.0}) {
+          CAPTURE(name, recoil, period, rate);
+          test::Breather who = breather(activation, recoil, period);
+          who.rate_hz = rate, who.noise_m3_s = 20e-6;
+          const Trace trace = test::breathed(who, 7);
+          // A half sine is its own mirror image, and a slow chest hides where it begins.
+          const bool symmetric = name == "half sine";
+          if (!symmetric || recoil < 0.5) CHECK(fired(trace) == std::set<std::string>{});
+          if (symmetric) continue;
+          const Segmentation turned = segment_breaths(upside_down(trace));
+          CHECK(orientation(turned, turned.breaths).upright != Upright::yes);
+        }
+}
+
+TEST_CASE("Breaths of ventilators are seen, upright and upside down", "[unit][gates]") {
+  const double recoil = GENERATE(0.3, 0.6, 1.2), period = GENERATE(2.2, 4.0, 6.0);
+  CAPTURE(recoil, period);
+  for (const double rise : {0.0, 0.1}) {
+    CAPTURE(rise);
+    test::Breather who = breather(test::pressure_control(rise), recoil, period);
+    who.inspired_part = 0.33, who.size_cv = 0.03, who.timing_cv = 0.02;
+    const Trace trace = test::breathed(who, 3);
+    CHECK(fired(trace).contains("machine_driven"));
+    CHECK(fired(upside_down(trace)).contains("upside_down"));
+    CHECK(fired(upside_down(trace)).contains("machine_driven"));
+  }
+  for (const double last : {1.0, 0.3})
+    for (const double hold : {0.0, 0.08}) {
+      CAPTURE(last, hold);
+      test::ImposedFlow vent;
+      vent.recoil_s = recoil, vent.period_s = period, vent.last = last, vent.hold_part = hold;
+      CHECK(fired(test::imposed(vent, 3)).contains("machine_driven"));
+    }
+}
+
+TEST_CASE("A wandering end-expiratory level is seen, and drift is not", "[unit][gates]") {
+  Record record;
+  record.breaths.resize(30);
+  Trace trace = volume_trace(record);
+  CHECK(fired(trace) == std::set<std::string>{});
+  Trace drifting = trace, straying = trace;
+  for (std::size_t i = 0; i < trace.value.size(); ++i) {
+    drifting.value[i] += 40e-6 * trace.time_s[i];
+    straying.value[i] += 450e-6 * std::sin(2 * std::numbers::pi * trace.time_s[i] / 40);
+  }
+  CHECK_FALSE(fired(drifting).contains("wander"));
+  CHECK(fired(straying).contains("wander"));
+}
+
+TEST_CASE("Sizes are judged against the trunk", "[unit][gates]") {
+  Record infant;
+  infant.breaths.assign(20, {35e-6, 0.4, 0.5, 0.1});
+  CHECK(fired(volume_trace(infant)) == std::set<std::string>{"subject_size"});
+  CHECK(fired(volume_trace(infant), 100e-6) == std::set<std::string>{});
+  CHECK(fired(volume_trace(infant), std::nullopt) == std::set<std::string>{});
+}
+
+TEST_CASE("A flow without its sign and a volume that counts up are no breathing", "[unit][gates]") {
+  Record record;
+  record.breaths.resize(14);
+  Trace rectified = flow_trace(record, 0);
+  for (double& flow : rectified.value) flow = std::abs(flow);
+  CHECK(fired(rectified).contains("not_a_breathing_signal"));
+  CHECK_FALSE(fired(flow_trace(record, 0)).contains("not_a_breathing_signal"));
+  const Trace plain = volume_trace(record);
+  Trace counted = plain;
+  for (std::size_t i = 1; i < counted.value.size(); ++i)
+    counted.value[i] = counted.value[i - 1] + std::max(plain.value[i] - plain.value[i - 1], 0.0);
+  CHECK(fired(counted).contains("not_a_breathing_signal"));
+}
