@@ -4,11 +4,11 @@
 #include <cmath>
 
 #include "breaths/landmarks.hpp"
+#include "breaths/median_of.hpp"
 #include "breaths/plausibility.hpp"
 #include "breaths/volume_signal.hpp"
 #include "breaths/whole_breaths.hpp"
 #include "errors/input_error.hpp"
-#include "math/median.hpp"
 #include "math/units.hpp"
 #include "text/message_text.hpp"
 
@@ -43,13 +43,6 @@ std::vector<Breath> breaths_at(const Landmarks& marks) {
     breaths.push_back(b);
   }
   return breaths;
-}
-
-template <class Measure>
-double median_of(const std::vector<Breath>& breaths, Measure measure) {
-  std::vector<double> values;
-  for (const auto& breath : breaths) values.push_back(measure(breath));
-  return median(std::move(values));
 }
 
 double duration(const Breath& breath) {

@@ -3,103 +3,100 @@
 #include <algorithm>
 #include <cmath>
 
-#include "breaths/robust.hpp"
-#include "math/median.hpp"
+#include "breaths/median_of.hpp"
 
 namespace trunk {
 namespace {
 
-constexpr double allowed_noise = 0.03;  // of the peak flow
-constexpr double widest_s = 0.06;
-constexpr double below_peak = 0.95;      // of the samples of an inspiration
-constexpr double low = 0.1, high = 0.9;  // of the peak flow: begin and end of its rise
+constexpr std::size_t most_breaths = 60, enough_for_error = 3;
+constexpr double step_s = 0.005, least_width_s = 0.02, widest_s = 0.15, widening = 1.4;
+constexpr double good_error = 0.03, largest_error = 0.06;  // of the peak flow
+constexpr double low = 0.1, high = 0.9;                    // of the peak flow: begin and end of its rise
+constexpr double margin_s = 0.5;                           // the alignment, where a rise may begin
+constexpr double rise_of_width = 0.8;                      // from 10 to 90 % of a mean over a width
 
-// A flow between samples of a volume.
-struct Flow {
-  std::vector<double> time_s, value;
-  double step_s = 0;
+// A flow towards one side, over tidal volumes, at times step_s apart from margin_s before the alignment.
+struct MeanFlow {
+  std::vector<double> flow, error;  // [samples] error: standard error of the mean
 
-  std::size_t first_after(double t) const {
-    return static_cast<std::size_t>(std::lower_bound(time_s.begin(), time_s.end(), t) - time_s.begin());
-  }
+  double peak() const { return *std::max_element(flow.begin(), flow.end()); }
+  double relative_error() const { return median(error) / peak(); }
 };
 
-Flow flow_of(const Segmentation& s) {
-  Flow flow;
-  for (std::size_t i = 1; i < s.time_s.size(); ++i) {
-    flow.time_s.push_back(0.5 * (s.time_s[i] + s.time_s[i - 1]));
-    flow.value.push_back((s.volume_m3[i] - s.volume_m3[i - 1]) / (s.time_s[i] - s.time_s[i - 1]));
+// How the flow of one phase is found: where it begins, its sign and how long it lasts.
+struct Phase {
+  double Breath::*begin_s;
+  double sign, duration_s;
+};
+
+MeanFlow mean_flow(const Segmentation& s, const std::vector<Breath>& breaths, const Phase& phase,
+                   double width_s) {
+  MeanFlow mean;
+  const auto n = static_cast<double>(breaths.size());
+  for (double t = -margin_s; t < phase.duration_s; t += step_s) {
+    double sum = 0, squares = 0;
+    for (const Breath& b : breaths) {
+      const double at = b.*phase.begin_s + t;
+      const double change = interpolated(s.time_s, s.volume_m3, at + 0.5 * width_s) -
+                            interpolated(s.time_s, s.volume_m3, at - 0.5 * width_s);
+      const double flow = phase.sign * change / (width_s * b.tidal_volume_m3);
+      sum += flow, squares += flow * flow;
+    }
+    mean.flow.push_back(sum / n);
+    mean.error.push_back(breaths.size() < enough_for_error
+                             ? 0
+                             : std::sqrt(std::max(squares - sum * sum / n, 0.0) / (n * (n - 1))));
   }
-  flow.step_s = (s.time_s.back() - s.time_s.front()) / static_cast<double>(s.time_s.size() - 1);
-  return flow;
+  return mean;
 }
 
-// Returns what 5 % of the samples [first, end) exceed; first < end.
-double peak_of(const Flow& flow, std::size_t first, std::size_t end) {
-  std::vector<double> values(&flow.value[first], &flow.value[first] + (end - first));
-  const auto at = static_cast<std::ptrdiff_t>(below_peak * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), values.begin() + at, values.end());
-  return values[static_cast<std::size_t>(at)];
+// Returns the time from 10 to 90 % of the peak, or 0 if the flow does not begin below 10 %.
+double rise_of(const MeanFlow& mean) {
+  const double peak = mean.peak();
+  const std::vector<double>& flow = mean.flow;
+  const auto crossing = [&](std::size_t i, double level) {  // between samples i-1 and i
+    return static_cast<double>(i) - (flow[i] - level) / (flow[i] - flow[i - 1]);
+  };
+  // A rise begins after the flow was last against it or at rest: the mean holds the end of the phase before.
+  const auto top = static_cast<std::size_t>(std::max_element(flow.begin(), flow.end()) - flow.begin());
+  std::size_t lower = top;
+  while (lower > 0 && flow[lower - 1] > low * peak) --lower;
+  if (lower == 0) return 0;
+  std::size_t upper = lower;
+  while (flow[upper] < high * peak) ++upper;
+  return step_s * (crossing(upper, high * peak) - crossing(lower, low * peak));
 }
 
-double median_peak_flow(const Flow& flow, const std::vector<Breath>& breaths) {
-  std::vector<double> peaks;
-  for (const Breath& b : breaths) {
-    const std::size_t onset = flow.first_after(b.onset_s), peak = flow.first_after(b.peak_s);
-    if (onset < peak) peaks.push_back(peak_of(flow, onset, peak));
+double rise_s(const Segmentation& s, const std::vector<Breath>& breaths, const Phase& phase) {
+  const double sample_s = (s.time_s.back() - s.time_s.front()) / static_cast<double>(s.time_s.size() - 1);
+  double width_s = std::max(sample_s, least_width_s);
+  MeanFlow mean = mean_flow(s, breaths, phase, width_s);
+  while (mean.relative_error() > good_error && widening * width_s <= widest_s) {
+    width_s *= widening;
+    mean = mean_flow(s, breaths, phase, width_s);
   }
-  return median(std::move(peaks));
+  if (mean.peak() <= 0 || mean.relative_error() > largest_error) return 0;
+  const double found = rise_of(mean), blur = rise_of_width * width_s;
+  return found > 0 ? std::sqrt(std::max(found * found - blur * blur, step_s * step_s)) : 0;
 }
 
-// Returns the time at which a signal crosses a level between samples i-1 and i.
-double crossing(const Flow& flow, std::size_t i, double level) {
-  const double before = flow.value[i - 1], after = flow.value[i];
-  const double part = after == before ? 0 : std::clamp((level - before) / (after - before), 0.0, 1.0);
-  return flow.time_s[i - 1] + part * (flow.time_s[i] - flow.time_s[i - 1]);
-}
-
-double rise_of(const Flow& flow, std::size_t first, std::size_t end) {
-  const double peak = peak_of(flow, first, end);
-  std::size_t upper = first;
-  while (upper + 1 < end && flow.value[upper] < high * peak) ++upper;
-  std::size_t lower = upper;
-  while (lower > 0 && flow.value[lower - 1] > low * peak) --lower;
-  if (lower == 0 || peak <= 0) return std::nan("");
-  return crossing(flow, upper, high * peak) - crossing(flow, lower, low * peak);
-}
-
-double release_of(const Flow& flow, std::size_t first, std::size_t end, std::size_t earliest) {
-  const auto bottom = static_cast<std::size_t>(
-      std::min_element(&flow.value[first], &flow.value[first] + (end - first)) - flow.value.data());
-  std::size_t turn = bottom;
-  while (turn > earliest && flow.value[turn - 1] < 0) --turn;
-  if (turn == 0) return std::nan("");
-  return flow.time_s[bottom] - crossing(flow, turn, 0);
+// Returns up to most_breaths of them, spread evenly.
+std::vector<Breath> some_of(const std::vector<Breath>& breaths) {
+  if (breaths.size() <= most_breaths) return breaths;
+  std::vector<Breath> some;
+  for (std::size_t i = 0; i < most_breaths; ++i) some.push_back(breaths[i * breaths.size() / most_breaths]);
+  return some;
 }
 
 }  // namespace
 
 FlowSigns flow_signs(const Segmentation& segmentation, const std::vector<Breath>& breaths) {
-  Flow flow = flow_of(segmentation);
-  const double noise = noise_deviation(flow.value);
-  const auto widest = static_cast<std::size_t>(std::max(1.0, widest_s / flow.step_s));
-  const std::size_t width = averaging_width(noise, allowed_noise * median_peak_flow(flow, breaths), widest);
-  flow.value = moving_average(flow.value, width);
-  FlowSigns signs;
-  std::vector<double> rises, releases, periods;
-  for (const Breath& b : breaths) {
-    periods.push_back(b.duration_s());
-    const std::size_t onset = flow.first_after(b.onset_s), peak = flow.first_after(b.peak_s),
-                      end = flow.first_after(b.end_s);
-    if (onset >= peak || peak >= end) continue;
-    if (const double rise = rise_of(flow, onset, peak); std::isfinite(rise)) rises.push_back(rise);
-    if (const double release = release_of(flow, peak, end, onset); std::isfinite(release))
-      releases.push_back(release);
-  }
-  signs.rise_s = median(std::move(rises));
-  signs.release_s = median(std::move(releases));
-  signs.period_s = median(std::move(periods));
-  return signs;
+  const std::vector<Breath> some = some_of(breaths);
+  const double in_s = median_of(some, [](const Breath& b) { return b.inspiration_s(); });
+  const double out_s = median_of(some, [](const Breath& b) { return b.expiration_s(); });
+  return {rise_s(segmentation, some, {&Breath::onset_s, 1, in_s}),
+          rise_s(segmentation, some, {&Breath::peak_s, -1, out_s}),
+          median_of(some, [](const Breath& b) { return b.duration_s(); })};
 }
 
 }  // namespace trunk

@@ -6,18 +6,18 @@
 
 namespace trunk {
 
-/// How abruptly flow starts and turns: medians over breaths; 0 if the samples show none.
+/// How abruptly flow starts and turns; 0 if noise or few samples hide it.
 struct FlowSigns {
-  double rise_s = 0;     ///< inspiratory flow from 10 to 90 % of its peak, at the first time it is there
-  double release_s = 0;  ///< from the end of inspiration (flow 0) to peak expiratory flow
-  double period_s = 0;   ///< of a breath
+  double rise_s = 0;    ///< inspiratory flow from 10 to 90 % of its peak, the first time it is there
+  double fall_s = 0;    ///< expiratory flow from 10 to 90 % of its peak
+  double period_s = 0;  ///< of a breath, median
 };
 
-/// Returns the signs of the flow of some breaths (at least one). The flow is the difference of neighbouring
-/// volumes, which are samples of a spirometer or an integrated flow. It is averaged over the fewest samples
-/// that leave its noise within 3 % of a breath's peak flow, and over no more than 60 ms. The peak inspiratory
-/// flow is what 5 % of an inspiration exceed, so that noise on a constant flow does not make one (our
-/// choice).
+/// Returns the signs of the flow of some breaths (at least one). The flow is the mean over up to 60 breaths,
+/// aligned at their onsets, or at their peaks, and divided by their tidal volumes: the difference of the
+/// volumes half a width before and after, at least one sample apart. The width is the least, up to 150 ms, at
+/// which the mean's standard error is within 3 % of the peak flow; if it exceeds 6 %, nothing is seen. What a
+/// width adds to a rise is removed (all our choice).
 FlowSigns flow_signs(const Segmentation& segmentation, const std::vector<Breath>& breaths);
 
 }  // namespace trunk

@@ -10,7 +10,7 @@
 namespace trunk {
 namespace {
 
-constexpr double machine_rise_s = 0.10, machine_turn_s = 0.17, long_breath_s = 2;
+constexpr double machine_rise_s = 0.10, quick_rise_s = 0.17, machine_fall_s = 0.095, long_breath_s = 2;
 constexpr double least_size = 0.02, largest_size = 0.8, adult_m3 = 1.5e-3;
 constexpr double most_wander = 0.5;
 constexpr double least_mismatch = 0.02, offset_from = 0.3, no_return = 1.5, error_per_mismatch = 0.22;
@@ -30,16 +30,19 @@ std::optional<Gate> upside_down(const TraceSigns& s) {
 
 std::optional<Gate> machine_driven(const TraceSigns& s) {
   const FlowSigns& flow = s.orientation.flow;
-  if (flow.rise_s <= 0) return std::nullopt;
   const double scale = std::min(flow.period_s / long_breath_s, 1.0);
-  const bool quick_turn = flow.release_s > 0 && flow.release_s < machine_turn_s * scale;
-  if (!(flow.rise_s < machine_rise_s * scale || (flow.rise_s < machine_turn_s * scale && quick_turn)))
+  const auto within = [&](double time_s, double limit_s) { return time_s > 0 && time_s < limit_s * scale; };
+  if (!within(flow.rise_s, machine_rise_s) &&
+      !(within(flow.rise_s, quick_rise_s) && within(flow.fall_s, machine_fall_s)))
     return std::nullopt;
-  return Gate{"machine_driven",
-              fmt::format("not driven by a muscle? the inspiratory flow rises within {:.0f} ms and the "
-                          "expiratory flow peaks {:.0f} ms after inspiration, as when a ventilator gives the "
-                          "breaths; give a recording of spontaneous breathing",
-                          ms_per_s * flow.rise_s, ms_per_s * flow.release_s)};
+  return Gate{
+      "machine_driven",
+      fmt::format("not driven by a muscle? the inspiratory flow is there within {:.0f} ms{}, as when a "
+                  "ventilator gives the breaths; give a recording of spontaneous breathing",
+                  ms_per_s * flow.rise_s,
+                  flow.fall_s > 0
+                      ? fmt::format(" and the expiratory flow within {:.0f} ms", ms_per_s * flow.fall_s)
+                      : "")};
 }
 
 std::optional<Gate> wander(const TraceSigns& s) {

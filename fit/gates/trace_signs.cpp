@@ -5,19 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "math/median.hpp"
+#include "breaths/median_of.hpp"
 
 namespace trunk {
 namespace {
 
 constexpr std::size_t breaths_in_block = 60, fewest_rests = 4;
-
-template <class Measure>
-double median_of(const std::vector<Breath>& breaths, Measure measure) {
-  std::vector<double> values;
-  for (const Breath& b : breaths) values.push_back(measure(b));
-  return median(std::move(values));
-}
 
 // Returns the standard deviation of some knots about their straight line.
 double deviation_from_line(const KnotLine& rest, std::size_t first, std::size_t count) {

@@ -69,8 +69,8 @@ std::vector<Breath> breaths_to_judge(const Segmentation& segmentation) {
 Orientation orientation(const Segmentation& segmentation, const std::vector<Breath>& breaths) {
   const std::vector<double> each = shapes(segmentation, breaths);
   Orientation result;
-  result.flow = flow_signs(segmentation, breaths);
   result.index = median(each);
+  result.flow = flow_signs(segmentation, breaths);
   if (each.size() > 1)
     result.standard_error = error_of_median * gsl_stats_sd(each.data(), 1, each.size()) /
                             std::sqrt(static_cast<double>(each.size()));
@@ -81,13 +81,13 @@ Orientation orientation(const Segmentation& segmentation, const std::vector<Brea
     return result;
   }
   const std::vector<Breath> other_breaths = breaths_to_judge(*other);
-  const FlowSigns other_flow = flow_signs(*other, other_breaths);
   result.index = 0.5 * (result.index - median(shapes(*other, other_breaths)));
-  if (result.flow.rise_s > 0 && other_flow.rise_s > 0)
-    result.index -= abruptness_weight * std::clamp(std::log(other_flow.rise_s / result.flow.rise_s),
-                                                   -most_abruptness, most_abruptness);
+  const FlowSigns& flow = result.flow;
+  if (flow.rise_s > 0 && flow.fall_s > 0)
+    result.index -= abruptness_weight *
+                    std::clamp(std::log(flow.fall_s / flow.rise_s), -most_abruptness, most_abruptness);
   result.upright = upright_by(result.index, result.standard_error);
-  if (result.upright == Upright::no) result.flow = other_flow;
+  if (result.upright == Upright::no) result.flow = flow_signs(*other, other_breaths);
   return result;
 }
 

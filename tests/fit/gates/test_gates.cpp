@@ -1,10 +1,13 @@
 #include "gates/gates.hpp"
 
+#include <filesystem>
 #include <set>
 
 #include "support/breath_records.hpp"
 #include "support/breathers.hpp"
 #include "support/catch.hpp"
+#include "support/shared_data.hpp"
+#include "traces/read_trace.hpp"
 
 using namespace trunk;
 
@@ -16,6 +19,19 @@ std::set<std::string> fired(const Trace& trace, std::optional<double> end_expira
   std::set<std::string> names;
   for (const Gate& gate : screened(segment_breaths(trace), end_expiratory_m3).gates) names.insert(gate.name);
   return names;
+}
+
+// The volume of a flow, with white noise as of a spirometer.
+Trace spirometer(const Trace& flow, double noise_m3) {
+  test::Random random(11);
+  Trace trace = flow;
+  trace.kind = SignalKind::volume, trace.value_unit = "ml";
+  double volume = 0;
+  for (std::size_t i = 0; i < flow.value.size(); ++i) {
+    if (i > 0) volume += 0.5 * (flow.value[i - 1] + flow.value[i]) * (flow.time_s[i] - flow.time_s[i - 1]);
+    trace.value[i] = volume + noise_m3 * random.normal();
+  }
+  return trace;
 }
 
 Trace upside_down(Trace trace) {
@@ -50,17 +66,19 @@ TEST_CASE("Every limit of a gate separates", "[unit][gates]") {
   CHECK(only_gate(signs) == "0 gates");
   CHECK(screened(signs, adult_m3).notes.empty());
   SECTION("machine_driven") {
-    signs.orientation.flow = {0.11, 0.18, 4};
+    signs.orientation.flow = {0.11, 0.10, 4};
     CHECK(only_gate(signs) == "0 gates");
-    signs.orientation.flow = {0.09, 0.18, 4};
+    signs.orientation.flow = {0.09, 0.10, 4};
     CHECK(only_gate(signs) == "machine_driven");
     CHECK_THAT(screened(signs, adult_m3).gates.front().sentence,
-               StartsWith("not driven by a muscle?") && Contains("rises within 90 ms"));
-    signs.orientation.flow = {0.16, 0.16, 4};
+               StartsWith("not driven by a muscle?") && Contains("flow is there within 90 ms"));
+    signs.orientation.flow = {0.16, 0.09, 4};
     CHECK(only_gate(signs) == "machine_driven");
-    signs.orientation.flow = {0.11, 0.07, 1};  // an infant's breath is short
+    signs.orientation.flow = {0.18, 0.09, 4};
     CHECK(only_gate(signs) == "0 gates");
-    signs.orientation.flow = {0, 0, 4};  // not seen
+    signs.orientation.flow = {0.11, 0.03, 1};  // an infant's breath is short
+    CHECK(only_gate(signs) == "0 gates");
+    signs.orientation.flow = {0, 0.09, 4};  // noise hides it
     CHECK(only_gate(signs) == "0 gates");
   }
   SECTION("subject_size") {
@@ -124,10 +142,13 @@ TEST_CASE("Breaths that a muscle drives pass, and upside down they are seen or a
           const Trace trace = test::breathed(who, 7);
           // A half sine is its own mirror image, and a slow chest hides where it begins.
           const bool symmetric = name == "half sine";
-          if (!symmetric || recoil < 0.5) CHECK(fired(trace) == std::set<std::string>{});
+          if (!symmetric || recoil < 0.5) {
+            CHECK(fired(trace) == std::set<std::string>{});
+            CHECK_FALSE(fired(spirometer(trace, 5e-6)).contains("machine_driven"));
+          }
           if (symmetric) continue;
           const Segmentation turned = segment_breaths(upside_down(trace));
-          CHECK(orientation(turned, turned.breaths).upright != Upright::yes);
+          CHECK(trace_signs(turned).orientation.upright != Upright::yes);
         }
 }
 
@@ -140,6 +161,7 @@ TEST_CASE("Breaths of ventilators are seen, upright and upside down", "[unit][ga
     who.inspired_part = 0.33, who.size_cv = 0.03, who.timing_cv = 0.02;
     const Trace trace = test::breathed(who, 3);
     CHECK(fired(trace).contains("machine_driven"));
+    CHECK(fired(spirometer(trace, 2e-6)).contains("machine_driven"));
     CHECK(fired(upside_down(trace)).contains("upside_down"));
     CHECK(fired(upside_down(trace)).contains("machine_driven"));
   }
@@ -186,4 +208,43 @@ TEST_CASE("A flow without its sign and a volume that counts up are no breathing"
   for (std::size_t i = 1; i < counted.value.size(); ++i)
     counted.value[i] = counted.value[i - 1] + std::max(plain.value[i] - plain.value[i - 1], 0.0);
   CHECK(fired(counted).contains("not_a_breathing_signal"));
+}
+
+namespace {
+
+std::set<std::string> fired_by_file(const std::string& name, bool belt = false) {
+  TraceOptions options;
+  if (name.ends_with("inverted.csv"))
+    options.time_unit = "s", options.unit = "L/s", options.time_column = "t";
+  if (name.ends_with("inverted.csv")) options.value_column = "flow";
+  return fired(read_trace(test::shared_file(name), options), belt ? std::nullopt : std::optional(adult_m3));
+}
+
+}  // namespace
+
+TEST_CASE("Recordings fire the gates that they should", "[shared][gates]") {
+  using Names = std::set<std::string>;
+  CHECK(fired_by_file("cases/fits/square_ps.csv") == Names{"machine_driven"});
+  CHECK(fired_by_file("cases/traces/vc_square.csv") == Names{"machine_driven"});
+  CHECK(fired_by_file("cases/traces/inverted.csv") == Names{"upside_down"});
+  CHECK(fired_by_file("cases/traces/infant35.csv") == Names{"subject_size"});
+  CHECK(fired_by_file("cases/traces/rectified.csv") == Names{"not_a_breathing_signal"});
+  CHECK(fired_by_file("cases/traces/vcum.csv") == Names{"not_a_breathing_signal"});
+  for (const char* name :
+       {"traces/cant_Subject01_0cmH2O_0mL.csv", "traces/cant_Subject03_0cmH2O_0mL.csv", "cases/fits/fast.csv",
+        "cases/fits/rc_tau0.30.csv", "cases/fits/rc_tau0.60.csv", "cases/fits/rohrer.csv",
+        "cases/traces/autozero.csv", "cases/traces/local_optimum.csv", "cases/traces/rest30_ex30.csv",
+        "cases/traces/spike100.csv", "cases/traces/twin_v10_00.csv"}) {
+    CAPTURE(name);
+    CHECK(fired_by_file(name) == Names{});
+  }
+  CHECK(fired_by_file("traces/biosppy_resp_100Hz.csv", true) == Names{});
+}
+
+TEST_CASE("The recordings that the project has fire no gate", "[unit][gates]") {
+  for (const char* name : {"constructed_trace.csv", "canterbury_subject03.csv"}) {
+    CAPTURE(name);
+    CHECK(fired(read_trace(std::filesystem::path(TRUNK_SOURCE_DIR) / "reference" / name)) ==
+          std::set<std::string>{});
+  }
 }
