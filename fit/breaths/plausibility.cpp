@@ -75,4 +75,14 @@ void check_tidal_volume(const Trace& trace, double median_tidal_volume_m3) {
                    hint.empty() ? "check the unit, the calibration and that the signal is breathing" : hint);
 }
 
+void check_samples(const Trace& trace, double median_period_s) {
+  constexpr double fewest = 6;
+  const double step_s =
+      (trace.time_s.back() - trace.time_s.front()) / static_cast<double>(trace.time_s.size() - 1);
+  if (median_period_s >= (fewest - 0.5) * step_s) return;
+  throw InputError({trace.source},
+                   "the median breath has " + number_text(median_period_s / step_s, 2) + " samples",
+                   "6 or more, which show its top and its rest", "record more samples a second");
+}
+
 }  // namespace trunk

@@ -10,4 +10,8 @@ namespace trunk {
 void check_period(const Trace& trace, double median_period_s);
 void check_tidal_volume(const Trace& trace, double median_tidal_volume_m3);
 
+/// Throws InputError if the median breath has fewer than 6 samples: they do not show its top and its rest
+/// (our choice).
+void check_samples(const Trace& trace, double median_period_s);
+
 }  // namespace trunk

@@ -12,6 +12,7 @@ namespace trunk {
 namespace {
 
 constexpr double least_r_squared = 0.98, largest_offset = 0.2, end_of_fall = 0.05;
+constexpr double before_late = 0.85;  // of expiration: its end may jump to 0
 constexpr std::size_t fewest_samples = 5;
 
 }  // namespace
@@ -19,7 +20,9 @@ constexpr std::size_t fewest_samples = 5;
 PassiveExpiration passive_expiration(const MeasuredBreath& breath) {
   const std::vector<double>&time = breath.time_s, &volume = breath.volume_m3;
   const std::vector<double> rate = flow_of(volume, time[1] - time[0]);
-  const auto peak = std::min_element(rate.begin(), rate.end()) - rate.begin();
+  const double late_s = breath.inspiration_s + before_late * (breath.duration_s - breath.inspiration_s);
+  const auto late = std::lower_bound(time.begin(), time.end(), late_s) - time.begin();
+  const auto peak = std::min_element(rate.begin(), rate.begin() + late) - rate.begin();
   std::vector<double> left, flow;
   for (auto i = static_cast<std::size_t>(peak); i < volume.size(); ++i) {
     if (volume[i] < end_of_fall * breath.tidal_volume_m3) break;

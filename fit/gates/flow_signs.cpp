@@ -10,6 +10,7 @@ namespace {
 
 constexpr std::size_t most_breaths = 60, enough_for_error = 3;
 constexpr double step_s = 0.005, least_width_s = 0.02, widest_s = 0.15, widening = 1.4;
+constexpr double longest_sample_s = 0.1;
 constexpr double good_error = 0.03, largest_error = 0.06;  // of the peak flow
 constexpr double low = 0.1, high = 0.9;                    // of the peak flow: begin and end of its rise
 constexpr double margin_s = 0.5;                           // the alignment, where a rise may begin
@@ -69,6 +70,7 @@ double rise_of(const MeanFlow& mean) {
 
 double rise_s(const Segmentation& s, const std::vector<Breath>& breaths, const Phase& phase) {
   const double sample_s = (s.time_s.back() - s.time_s.front()) / static_cast<double>(s.time_s.size() - 1);
+  if (sample_s > longest_sample_s) return 0;
   double width_s = std::max(sample_s, least_width_s);
   MeanFlow mean = mean_flow(s, breaths, phase, width_s);
   while (mean.relative_error() > good_error && widening * width_s <= widest_s) {
@@ -77,7 +79,7 @@ double rise_s(const Segmentation& s, const std::vector<Breath>& breaths, const P
   }
   if (mean.peak() <= 0 || mean.relative_error() > largest_error) return 0;
   const double found = rise_of(mean), blur = rise_of_width * width_s;
-  return found > 0 ? std::sqrt(std::max(found * found - blur * blur, step_s * step_s)) : 0;
+  return found > 0 ? std::max(std::sqrt(std::max(found * found - blur * blur, 0.0)), 0.5 * width_s) : 0;
 }
 
 // Returns up to most_breaths of them, spread evenly.

@@ -175,6 +175,47 @@ class Table(TrunkTest):
             self.refused("breaths", "t.csv", "--calibrate-tidal-volume", bad, says="--calibrate-tidal-volume")
 
 
+class Gates(TrunkTest):
+    def gates(self, *options):
+        outcome = self.trunk("breaths", *options, "--json")
+        self.assertEqual(outcome.code, 0, str(outcome))
+        return outcome.json()["gates"], outcome.err
+
+    def test_spontaneous_breathing_fires_none(self):
+        self.file("t.csv", trace(count=6, period_s=4, inspiration_s=1.6, tau_s=0.4))
+        self.assertEqual(self.gates("t.csv"), ([], ""))
+
+    def test_upside_down(self):
+        times, volumes = breaths(count=6, period_s=4, inspiration_s=1.6, tau_s=0.4)
+        self.file("t.csv", csv(times, [-v for v in volumes]))
+        gates, said = self.gates("t.csv")
+        self.assertIn("upside_down", gates)
+        self.assertRegex(said, "note: the recording looks upside down.* use --invert\n")
+        self.assertEqual(self.gates("t.csv", "--invert")[0], [])
+
+    def test_driven_by_a_machine(self):
+        """The flow is constant for 1 s, then the chest empties by itself."""
+        times = [0.01 * i for i in range(4001)]
+        phases = [t % 4 for t in times]
+        self.file("t.csv", csv(times, [500 * (p if p < 1 else 2.718281828 ** ((1 - p) / 0.5)) for p in phases]))
+        gates, said = self.gates("t.csv")
+        self.assertEqual(gates, ["machine_driven"])
+        self.assertIn("note: not driven by a muscle?", said)
+
+    def test_check_knows_the_size_of_the_trunk(self):
+        self.file("t.csv", trace(tidal_ml=60))
+        self.assertEqual(self.gates("t.csv")[0], [])
+        checked = self.trunk("check", HEALTHY, "--trace", "t.csv", "--json")
+        self.assertEqual(checked.json()["gates"], ["subject_size"])
+        self.assertRegex(checked.err, "this trunk is an adult's of 4760 ml")
+
+    def test_too_few_samples_and_breaths_are_said(self):
+        self.file("t.csv", trace(count=30, period_s=1.0, inspiration_s=0.4, rate_hz=4))
+        self.refused("breaths", "t.csv", says=("t.csv: the median breath has 4 samples", "more samples a second"))
+        self.file("t.csv", trace(count=2, period_s=4, inspiration_s=1.6, tau_s=0.4))
+        self.assertIn("note: 2 breath(s) used: so few", self.gates("t.csv")[1])
+
+
 class Real(TrunkTest):
     def test_canterbury(self):
         for name, tidal, spread in (("cant_Subject03_0cmH2O_0mL", 1040, 80), ("cant_Subject01_0cmH2O_0mL", 970, 130)):

@@ -351,6 +351,15 @@ TEST_CASE("A signal that is not breathing is refused", "[unit][breaths]") {
   CHECK_THAT(error_of(volume_trace(half)), Contains("made.csv: no whole breath in 2.5 s"));
 }
 
+TEST_CASE("Breaths of four samples are refused", "[unit][breaths]") {
+  Record record;
+  record.breaths.assign(30, {500e-6, 0.4, 0.6, 0});
+  record.rate_hz = 4;
+  CHECK_THAT(error_of(volume_trace(record)), Contains("made.csv: the median breath has 4 samples"));
+  record.rate_hz = 10;
+  CHECK(error_of(volume_trace(record)).empty());
+}
+
 TEST_CASE("A wrong unit is recognised from the breaths that it gives", "[unit][breaths]") {
   const auto scaled = [](Trace trace, double time, double value, std::string time_unit,
                          std::string value_unit) {

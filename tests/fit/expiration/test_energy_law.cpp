@@ -185,7 +185,7 @@ void check_coverage(std::uint64_t seeds, bool in_each_family) {
   std::string report;
   for (const auto& [name, family] : coverage(seeds)) {
     CAPTURE(name);
-    if (in_each_family) CHECK(family.covered >= 0.89 * family.all);
+    if (in_each_family) CHECK(family.covered >= 0.89 * family.all);  // few repeats show less
     covered += family.covered, all += family.all;
     widths.insert(widths.end(), family.widths.begin(), family.widths.end());
     report += "\n" + name + ": " + std::to_string(100.0 * family.covered / family.all) +
@@ -193,6 +193,7 @@ void check_coverage(std::uint64_t seeds, bool in_each_family) {
   }
   CHECK(covered >= 0.89 * all);
   CHECK(median(widths) <= 8);
+  if (!in_each_family) return;
   WARN("R/E in its interval: " << 100.0 * covered / all << " % of " << all << ", upper over lower limit "
                                << median(widths) << report);
 }
