@@ -13,10 +13,10 @@ constexpr double step_s = 0.005, least_width_s = 0.02, widest_s = 0.15, widening
 constexpr double longest_sample_s = 0.1;
 constexpr double good_error = 0.03, largest_error = 0.06;  // of the peak flow
 constexpr double low = 0.1, high = 0.9;                    // of the peak flow: begin and end of its rise
-constexpr double margin_s = 0.5;                           // the alignment, where a rise may begin
+constexpr double margin_s = 0.5;                           // before the alignment: a rise may begin there
 constexpr double rise_of_width = 0.8;                      // from 10 to 90 % of a mean over a width
 
-// A flow towards one side, over tidal volumes, at times step_s apart from margin_s before the alignment.
+// A flow towards one side, over tidal volumes, at times step_s apart from margin_s before the alignment on.
 struct MeanFlow {
   std::vector<double> flow, error;  // [samples] error: standard error of the mean
 
@@ -34,7 +34,9 @@ MeanFlow mean_flow(const Segmentation& s, const std::vector<Breath>& breaths, co
                    double width_s) {
   MeanFlow mean;
   const auto n = static_cast<double>(breaths.size());
-  for (double t = -margin_s; t < phase.duration_s; t += step_s) {
+  const auto samples = static_cast<std::size_t>((margin_s + phase.duration_s) / step_s) + 1;
+  for (std::size_t i = 0; i < samples; ++i) {
+    const double t = static_cast<double>(i) * step_s - margin_s;
     double sum = 0, squares = 0;
     for (const Breath& b : breaths) {
       const double at = b.*phase.begin_s + t;
@@ -58,7 +60,7 @@ double rise_of(const MeanFlow& mean) {
   const auto crossing = [&](std::size_t i, double level) {  // between samples i-1 and i
     return static_cast<double>(i) - (flow[i] - level) / (flow[i] - flow[i - 1]);
   };
-  // A rise begins after the flow was last against it or at rest: the mean holds the end of the phase before.
+  // The mean also holds the end of the phase before, so the rise is sought backwards from the top.
   const auto top = static_cast<std::size_t>(std::max_element(flow.begin(), flow.end()) - flow.begin());
   std::size_t lower = top;
   while (lower > 0 && flow[lower - 1] > low * peak) --lower;

@@ -29,9 +29,8 @@ struct Screening {
 /// trunk at rest; without it, as for a belt without calibration, size is not judged. The limits:
 ///
 /// * upside_down: see upside_down.hpp. If it is unclear, a note asks.
-/// * machine_driven: inspiratory flow grows from 10 to 90 % within 0.10 s; or within 0.17 s, and expiratory
-/// flow
-///   within 0.095 s. For breaths shorter than 2 s, as infants take, these times are shorter in proportion.
+/// * machine_driven: inspiratory flow grows from 10 to 90 % within 0.10 s; or within 0.17 s, while expiratory
+///   flow does so within 0.095 s. For breaths shorter than 2 s these times are shorter in proportion.
 /// * subject_size: a tidal volume outside 2 to 80 % of the end-expiratory volume.
 /// * wander: the end-expiratory level varies by more than half a tidal volume.
 /// * not_a_breathing_signal: in- and expired volume differ by more than 1.5 of their mean, as of a flow that
