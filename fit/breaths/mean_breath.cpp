@@ -6,6 +6,7 @@
 #include "breaths/knot_line.hpp"
 #include "breaths/robust.hpp"
 #include "errors/input_error.hpp"
+#include "math/median.hpp"
 
 namespace trunk {
 namespace {
@@ -102,6 +103,23 @@ MeasuredBreath averaged(const Segmentation& segmentation, const Breaths& used, i
   return mean;
 }
 
+/// Cuts pauses that are much longer than usual, such as the one with which a recording ends. To stretch such
+/// a breath to the mean duration would make its recoil look faster than it is.
+void cut_long_pauses(Breaths& breaths) {
+  constexpr double much = 0.1;  // of a breath; our choice
+  std::vector<double> pauses, durations;
+  for (const Breath& b : breaths) {
+    pauses.push_back(b.pause_s);
+    durations.push_back(b.duration_s());
+  }
+  const double usual_s = median(pauses), allowed_s = usual_s + much * median(durations);
+  for (Breath& b : breaths)
+    if (b.pause_s > allowed_s) {
+      b.end_s -= b.pause_s - usual_s;
+      b.pause_s = usual_s;
+    }
+}
+
 }  // namespace
 
 MeasuredBreath mean_breath(const Segmentation& segmentation, int samples) {
@@ -115,6 +133,7 @@ MeasuredBreath mean_breath(const Segmentation& segmentation, int samples) {
                          " whole breaths can be used, the first because " +
                          segmentation.breaths.front().reason,
                      "one or more", "choose some with --include or give another recording");
+  cut_long_pauses(kept);
   MeasuredBreath mean = averaged(segmentation, kept, samples);
   mean.breaths_rejected = static_cast<int>(segmentation.breaths.size() - kept.size());
   return mean;

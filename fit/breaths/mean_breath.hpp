@@ -23,7 +23,8 @@ struct MeasuredBreath {
 };
 
 /// Returns the mean of the kept breaths. Inspirations and expirations are stretched linearly to their mean
-/// durations, so that peaks coincide; then volumes are averaged. sigma is the standard deviation over breaths
+/// durations, so that peaks coincide; then volumes are averaged. A pause that is longer than the median one
+/// by more than a tenth of a breath is cut to the median first. sigma is the standard deviation over breaths
 /// (the noise of one breath if fewer than three are kept), or the trace's own sigma if that is larger. It is
 /// at least 1 % of the tidal volume, because all breaths are set to 0 at their ends and no spirometer is more
 /// exact (our choice).

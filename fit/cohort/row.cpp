@@ -21,7 +21,7 @@ CohortRow cohort_row(const std::string& subject, const FitSummary& fit) {
   CohortRow row;
   row.subject = subject;
   row.status = fit.status;
-  row.identifiable = fit.identifiable;
+  row.grade = fit.grade;
   row.verdict = fit.verdict;
   for (const Estimate& e : fit.parameters) row.estimates.push_back(row_estimate(e.name, e));
   if (fit.ratio) row.estimates.push_back(row_estimate("ratio", *fit.ratio));

@@ -55,13 +55,13 @@ std::map<std::string, std::size_t> columns_of(const std::vector<CohortRow>& rows
 std::string cohort_csv(const std::vector<CohortRow>& rows) {
   std::vector<std::string> names;
   const auto columns = columns_of(rows, names);
-  std::string text = "subject,status,identifiable";
+  std::string text = "subject,status,grade";
   for (const std::string& name : names) text += "," + name;
   text += ",verdict,error\n";
   for (const CohortRow& row : rows) {
     std::vector<double> values(names.size(), std::nan(""));
     for (const NamedValue& v : cells_of(row)) values[columns.at(v.name)] = v.value;
-    text += fmt::format("{},{},{}", cell(row.subject), row.status, row.identifiable ? "yes" : "no");
+    text += fmt::format("{},{},{}", cell(row.subject), row.status, name_of(row.grade));
     for (const double v : values) text += std::isfinite(v) ? fmt::format(",{}", v) : ",";
     text += "," + cell(row.verdict) + "," + cell(row.error) + "\n";
   }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "verdict/fit_results.hpp"
+
 #include <string>
 #include <vector>
 
@@ -24,7 +26,7 @@ struct RowPrediction {
 struct CohortRow {
   std::string subject;
   std::string status;  // as in `fit --json`, or "failed"
-  bool identifiable = false;
+  Grade grade = Grade::not_converged;
   std::vector<RowEstimate> estimates;  // parameters and their ratio
   std::vector<NamedValue> numbers;     // NaN: not known
   std::vector<RowPrediction> predictions;

@@ -19,9 +19,9 @@ void require_results_free(const Common& common, const FitRequest& request, const
   for (const auto& output : outputs) require_writable_output(output, common.force);
 }
 
-Exit exit_of(const Estimation& e) {
-  if (!e.search.converged) return Exit::not_converged;
-  return status_of(e) == "converged" ? Exit::done : Exit::not_identifiable;
+Exit exit_of(Grade grade) {
+  if (grade == Grade::not_converged) return Exit::not_converged;
+  return grade == Grade::not_determined ? Exit::not_identifiable : Exit::done;
 }
 
 Execution watched(unsigned threads) {
@@ -50,7 +50,7 @@ Exit fit_command(const Common& common, FitRequest request) {
   job.store(outcome, common.argv);
   print_result(common, fit_json(job.fit(), outcome),
                fit_table(job.fit(), outcome) + "\nWritten to " + request.output);
-  return exit_of(outcome.estimation);
+  return exit_of(outcome.results.grade);
 }
 
 }  // namespace

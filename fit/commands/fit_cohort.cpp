@@ -21,8 +21,9 @@ Exit exit_of(const std::vector<SubjectResult>& all) {
     return Exit::bad_input;
   if (any([](const SubjectResult& r) { return !r.fit || r.fit->summary.status == "not_converged"; }))
     return Exit::not_converged;
-  return any([](const SubjectResult& r) { return !r.fit->summary.identifiable; }) ? Exit::not_identifiable
-                                                                                  : Exit::done;
+  return any([](const SubjectResult& r) { return r.fit->summary.grade == Grade::not_determined; })
+             ? Exit::not_identifiable
+             : Exit::done;
 }
 
 void report(const Common& common, const CohortFolder& folder, const std::vector<SubjectResult>& all,

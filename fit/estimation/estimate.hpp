@@ -2,8 +2,9 @@
 
 #include <optional>
 
+#include "estimation/compartment_start.hpp"
+#include "estimation/fit_problem.hpp"
 #include "estimation/quality.hpp"
-#include "estimation/start.hpp"
 #include "search/minimise.hpp"
 #include "uncertainty/bootstrap.hpp"
 #include "uncertainty/likelihood_surface.hpp"
@@ -13,36 +14,27 @@ namespace trunk {
 /// What an estimation computes, and how.
 struct EstimationOptions {
   SearchOptions search{.algorithm = ""};  // algorithm empty: bobyqa for up to 4 parameters, else lm
-  int starts = 1;                         // the first from the scenario, the others from a Sobol sequence
   Loss loss = Loss::squares;
-  bool cross_check = true;  // a second search by another method
   bool profiles = true;
-  int surface_points = 11;  // along each of two parameters; 0: no surface
+  int surface_points = 21;  // along each of two parameters; 0: no surface
   int bootstrap = 0;        // repeats
-  double budget_s = 10.0;   // profiles or surface are left out if they would take longer on two cores
   Execution execution;
 };
 
-/// One local search: where it began and ended.
-struct LocalSearch {
-  Eigen::VectorXd from, to;
-  double objective = 0.0;
-  bool converged = false;
-};
-
-/// The comparison of two methods: one without derivatives over the mechanical parameters, and
-/// Levenberg-Marquardt over all parameters.
+/// The comparison of two methods: where a search of NLopt ended, and where a Gauss-Newton step would go from
+/// there. Both move the nuisance parameters along.
 struct CrossCheck {
   std::string first, second;
-  double largest_difference = 0.0;  // in coordinates, which are about relative
-  bool agree = false;               // within 0.1 standard errors or 1e-4
+  Eigen::VectorXd difference;  // [mechanical parameters asked for] in coordinates, which are about relative
+  bool agree = false;          // each within 0.1 standard errors or 1e-3
+
+  double largest_difference() const { return difference.cwiseAbs().maxCoeff(); }
 };
 
 /// The outcome of fitting one breath.
 struct Estimation {
   SearchResult search;
-  std::string algorithm;  // of the first search
-  std::vector<LocalSearch> starts;
+  std::string algorithm;  // of the search on the trunk
   std::optional<CrossCheck> cross_check;
   std::optional<Uncertainty> uncertainty;  // none if the search did not converge
   std::optional<LocalFit> local;
@@ -55,17 +47,17 @@ struct Estimation {
   Quality quality;
   std::vector<Evaluation> evaluations;
   int failures = 0;
-  std::size_t simulated = 0;  // evaluations that were not in the ledger
+  std::size_t simulations = 0;  // of the trunk, during the search
+  std::size_t simulated = 0;    // of those, the ones that were not in the ledger
 };
 
-/// Fits the parameters of `space` to `measured`. The steps are: a start at the measured tidal volume,
-/// local searches over the parameters asked for, Levenberg-Marquardt over all parameters from the best point,
-/// a second search without derivatives as a check, and the uncertainty. The start of the space holds the
-/// activation; `timed` of its numbers were read from the trace. Throws InputError if the curve is empty or
-/// longer than the grid, and Cancelled once the execution is cancelled. A search that fails is reported in
-/// the result.
-Estimation estimate(const Trunk& trunk, const TimeGrid& grid, const SearchSpace& space,
-                    const MeasuredCurve& measured, const EstimationOptions& options, Ledger& ledger,
-                    std::size_t timed = 0);
+/// Fits the parameters of the problem's space. A breath is fitted in these steps: the compartment, which is
+/// already at its best point at the start of the space, is corrected by what it misses there and searched
+/// again, until nothing changes; then NLopt searches the mechanical parameters asked for on the trunk itself,
+/// with all others moving along (see WithoutNuisance). A tidal volume alone is met by a search on the trunk.
+/// Intervals, profiles and the joint region come from the corrected compartment. Throws InputError if the
+/// curve is empty or longer than the grid, and Cancelled once the execution is cancelled. A search that fails
+/// is reported in the result.
+Estimation estimate(const FitProblem& problem, const EstimationOptions& options, Ledger& ledger);
 
 }  // namespace trunk

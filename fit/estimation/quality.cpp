@@ -11,7 +11,7 @@
 namespace trunk {
 
 Quality quality_of(const MeasuredCurve& curve, const Eigen::VectorXd& model, std::size_t parameters,
-                   const BreathActivation<double>& given, std::size_t timed) {
+                   const TimeGrid& grid, const BreathActivation<double>& activation) {
   Quality q;
   const Eigen::VectorXd measured = Eigen::VectorXd::Map(curve.delta_v.data(), model.size());
   q.tidal_volume_m3 = curve.tidal_volume();
@@ -26,22 +26,16 @@ Quality quality_of(const MeasuredCurve& curve, const Eigen::VectorXd& model, std
   measured.maxCoeff(&measured_peak);
   q.peak_time_error_s = curve.time_s[static_cast<std::size_t>(model_peak)] -
                         curve.time_s[static_cast<std::size_t>(measured_peak)];
-  const OneCompartment baseline = fit_one_compartment(curve, given);
+  const OneCompartment baseline = fit_one_compartment(curve, activation, grid);
   q.baseline_nrmse = normalised(baseline.residuals);
   q.baseline = measured + baseline.residuals;
   q.bic = ar1_bic((model - measured) / q.tidal_volume_m3, parameters);
-  q.baseline_bic = ar1_bic(baseline.residuals / q.tidal_volume_m3, 2 + timed);
+  q.baseline_bic = ar1_bic(baseline.residuals / q.tidal_volume_m3, parameters);
   return q;
 }
 
-std::string caveat(const Quality& q, double residual_autocorrelation) {
-  const double usual = 0.05, small = 0.01, smooth = 0.95;
-  if (q.nrmse > small && q.nrmse < usual && residual_autocorrelation > smooth)
-    return fmt::format(
-        " The residual ({:.1f} % of tidal volume) is smooth, so it is not noise: the shape of the activation "
-        "does not quite fit. With another shape the parameters would change by more than their intervals; "
-        "--free k_elasticity,k_muscle,timing,fast_fall_level,shape shows by how much.",
-        100.0 * q.nrmse);
+std::string caveat(const Quality& q) {
+  const double usual = 0.05;
   if (q.baseline_nrmse <= 0.0 || q.nrmse < std::max(usual, 2.0 * q.baseline_nrmse)) return "";
   return fmt::format(
       " The model follows this breath poorly: its residual is {:.1f} % of tidal volume, and that of a "

@@ -18,11 +18,11 @@ struct Quality {
 };
 
 /// Returns the quality of `model` [samples] m3, which a fit of `parameters` numbers gave. The one-compartment
-/// model uses the activation `given` to the fit, of which `timed` numbers were read from the trace.
+/// model has the activation and the grid of the fit, so both count the same parameters.
 Quality quality_of(const MeasuredCurve& curve, const Eigen::VectorXd& model, std::size_t parameters,
-                   const BreathActivation<double>& given, std::size_t timed);
+                   const TimeGrid& grid, const BreathActivation<double>& activation);
 
 /// Returns a warning if the model misses the breath, however narrow its intervals are; otherwise "".
-std::string caveat(const Quality& quality, double residual_autocorrelation);
+std::string caveat(const Quality& quality);
 
 }  // namespace trunk

@@ -10,7 +10,7 @@ using Group = FreeParameter::Group;
 using Scale = FreeParameter::Scale;
 
 // Priors (our choice): how exactly a trace gives the timing, and how far a knot may leave its line.
-constexpr double timing_prior = 0.5, onset_prior_s = 0.1, shape_prior = 1.0;
+constexpr double timing_prior = 1.5, onset_prior_s = 0.3, shape_prior = 1.0;
 
 template <std::size_t Knot>
 FreeParameter knot(std::string_view name, std::string_view key) {
@@ -29,10 +29,10 @@ FreeParameter knot(std::string_view name, std::string_view key) {
 
 std::span<const FreeParameter> free_parameters() {
   static const FreeParameter all[] = {
-      // Between these bounds the abdominal pressure swings in quiet breathing are about 1 to 40 cmH2O.
-      {"k_elasticity", "N/m", "parameters.k_elasticity_N_per_m", 400.0, 16000.0, Group::mechanics,
+      // Volume gives no scale of forces, so these bounds are wide: recoil times of 5 ms to 24 s.
+      {"k_elasticity", "N/m", "parameters.k_elasticity_N_per_m", 20.0, 1e5, Group::mechanics,
        [](Candidate& c) -> double& { return c.parameters.elasticity; }},
-      {"k_muscle", "N/m", "parameters.k_muscle_N_per_m", 0.01, 1e4, Group::mechanics,
+      {"k_muscle", "N/m", "parameters.k_muscle_N_per_m", 1e-3, 1e5, Group::mechanics,
        [](Candidate& c) -> double& { return c.parameters.muscle; }},
       {"damping", "N s/m", "parameters.damping_N_s_per_m", 0.5, 500.0, Group::mechanics,
        [](Candidate& c) -> double& { return c.parameters.damping; }},

@@ -3,42 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
-#include <cstring>
-#include <thread>
+#include <numeric>
 
 #include "errors/input_error.hpp"
-#include "parallel/workers.hpp"
+#include "problem/trunk_model.hpp"
 
 namespace trunk {
-namespace {
 
-/// Returns the grid of 1 ms on which a failed simulation is tried again; none if it did not fail, or if its
-/// time step was not longer.
-std::optional<TimeGrid> finer(const TimeGrid& grid, const Ending& ending) {
-  constexpr double fine_s = 1e-3;
-  if (ending.completed() || grid.dt_s <= fine_s) return std::nullopt;
-  TimeGrid fine = grid;
-  fine.dt_s = fine_s;
-  return fine;
-}
-
-}  // namespace
-
-std::string ledger_key(const Candidate& c) {
-  Candidate copy = c;
-  std::string bytes;
-  for (const double* number : numbers(copy)) {
-    char eight[sizeof(double)];
-    std::memcpy(eight, number, sizeof eight);
-    bytes.append(eight, sizeof eight);
-  }
-  return bytes;
-}
-
-Objective::Objective(const Trunk& trunk, const TimeGrid& grid, const SearchSpace& space,
-                     const MeasuredCurve& measured, Ledger& ledger, const Execution& execution)
-    : trunk_(trunk), grid_(grid), space_(space), curve_(measured), ledger_(ledger), execution_(execution) {
+Objective::Objective(VolumeModel& model, const TimeGrid& grid, const SearchSpace& space,
+                     const MeasuredCurve& measured, Knowledge knowledge)
+    : volumes_(model), grid_(grid), space_(space), curve_(measured), knowledge_(std::move(knowledge)) {
   if (!measured.is_tidal_volume() &&
       (measured.time_s.empty() || measured.time_s.size() != measured.delta_v.size()))
     throw InputError({}, "the measured curve has no samples", "a volume at each time");
@@ -62,95 +36,13 @@ void Objective::use_loss(Loss loss, double scale) {
   loss_scale_ = scale;
 }
 
-std::vector<LedgerEntry> Objective::simulate(const std::vector<Candidate>& candidates) const {
-  const auto start = std::chrono::steady_clock::now();
-  std::vector<LedgerEntry> entries;
-  for (VolumeCurve& curve : simulate_volumes(trunk_, candidates, grid_)) {
-    const auto again = finer(grid_, curve.ending);
-    if (again) curve = simulate_volumes(trunk_, {&candidates[entries.size()], 1}, *again).front();
-    entries.push_back({static_cast<std::int32_t>(curve.ending.status), curve.ending.time_s, 0.0, {}});
-    if (!curve.ending.completed()) continue;
-    const Eigen::VectorXd model = as_measured(curve_, curve.delta_v, again.value_or(grid_).dt_s);
-    entries.back().values.assign(model.data(), model.data() + model.size());
-  }
-  const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
-  for (LedgerEntry& entry : entries) entry.wall_s = wall.count() / static_cast<double>(entries.size());
-  return entries;
-}
-
-/// Returns the derivative of the model at the measured samples, one coordinate after the other.
-LedgerEntry Objective::simulate_slopes(const Eigen::VectorXd& x, const Candidate& candidate) const {
-  const auto start = std::chrono::steady_clock::now();
-  TimeGrid grid = grid_;
-  VolumeDerivatives found = simulate_volume_derivatives(trunk_, candidate, space_.directions(x), grid);
-  if (const auto again = finer(grid, found.curve.ending)) {
-    grid = *again;
-    found = simulate_volume_derivatives(trunk_, candidate, space_.directions(x), grid);
-  }
-  const auto& [curve, along, above_relaxation] = found;
-  LedgerEntry entry{static_cast<std::int32_t>(curve.ending.status), curve.ending.time_s, 0.0, {}};
-  if (curve.ending.completed())
-    for (const std::vector<double>& derivative : along) {
-      const Eigen::VectorXd seen = as_measured(curve_, curve.delta_v, derivative, grid.dt_s);
-      entry.values.insert(entry.values.end(), seen.data(), seen.data() + seen.size());
-    }
-  entry.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  return entry;
-}
-
-/// The ledger may be damaged like any file, so every entry is checked before it is used.
-bool Objective::usable(const LedgerEntry* entry, std::size_t count) const {
-  if (entry == nullptr) return false;
-  const auto completed = static_cast<std::int32_t>(Ending::Status::completed);
-  if (entry->status != completed)
-    return entry->values.empty() && entry->status > completed &&
-           entry->status <= static_cast<std::int32_t>(Ending::Status::volume_lost) && finite(entry->lasted_s);
-  return entry->values.size() == count &&
-         std::all_of(entry->values.begin(), entry->values.end(), [](double v) { return finite(v); });
-}
-
-void Objective::simulate_missing(const std::vector<Candidate>& candidates,
-                                 const std::vector<std::string>& keys) {
-  std::vector<std::size_t> missing;
-  for (std::size_t i = 0; i < candidates.size(); ++i)
-    if (!usable(ledger_.find(keys[i]), static_cast<std::size_t>(samples())) &&
-        std::find(keys.begin(), keys.begin() + static_cast<std::ptrdiff_t>(i), keys[i]) ==
-            keys.begin() + static_cast<std::ptrdiff_t>(i))
-      missing.push_back(i);
-  const auto cancelled = [&] { return execution_.cancelled && execution_.cancelled(); };
-  if (cancelled()) throw Cancelled();
-  // One simulation per lane, but fewer at once if a thread would otherwise have nothing to do.
-  const std::size_t threads =
-      execution_.threads > 0 ? execution_.threads : std::max(1u, std::thread::hardware_concurrency());
-  const std::size_t share = (missing.size() + threads - 1) / threads;
-  const std::size_t width = std::clamp<std::size_t>(share, 1, batch_lanes());
-  std::vector<std::size_t> firsts;
-  for (std::size_t i = 0; i < missing.size(); i += width) firsts.push_back(i);
-  using Results = std::pair<std::size_t, std::vector<LedgerEntry>>;
-  work_off<Results>(
-      firsts, static_cast<unsigned>(std::min(threads, firsts.size())), cancelled,
-      [&](std::size_t first) {
-        std::vector<Candidate> together;
-        for (std::size_t i = first; i < std::min(first + width, missing.size()); ++i)
-          together.push_back(candidates[missing[i]]);
-        return Results(first, simulate(together));
-      },
-      [&](Results results) {
-        for (std::size_t i = 0; i < results.second.size(); ++i)
-          ledger_.add(keys[missing[results.first + i]], std::move(results.second[i]));
-        simulated_ += results.second.size();
-        if (execution_.progress) execution_.progress(simulated_);
-      });
-  if (cancelled()) throw Cancelled();
-}
-
-std::vector<const LedgerEntry*> Objective::entries(const std::vector<Candidate>& candidates) {
-  std::vector<std::string> keys;
-  for (const Candidate& c : candidates) keys.push_back(ledger_key(c));
-  simulate_missing(candidates, keys);
-  std::vector<const LedgerEntry*> found;
-  for (const std::string& key : keys) found.push_back(ledger_.find(key));
-  return found;
+/// Returns all residuals that do not come from the curve.
+Eigen::VectorXd Objective::known(const Eigen::VectorXd& x) const {
+  const Eigen::VectorXd priors = space_.prior_residuals(x);
+  if (!knowledge_) return priors;
+  Eigen::VectorXd all(priors.size() + 1);
+  all << priors, knowledge_(space_.decode(x));
+  return all;
 }
 
 Outcome Objective::judged(const Eigen::VectorXd& x, const LedgerEntry& entry) const {
@@ -162,66 +54,64 @@ Outcome Objective::judged(const Eigen::VectorXd& x, const LedgerEntry& entry) co
   const Eigen::VectorXd model = Eigen::VectorXd::Map(entry.values.data(), samples());
   const Eigen::VectorXd curve =
       robust_residuals((model - measured_).cwiseQuotient(deviation_), loss_, loss_scale_);
-  const Eigen::VectorXd known = space_.prior_residuals(x);
-  Eigen::VectorXd all(curve.size() + known.size());
-  all << curve, known;
+  const Eigen::VectorXd beside = known(x);
+  Eigen::VectorXd all(curve.size() + beside.size());
+  all << curve, beside;
   return {all, all.squaredNorm()};
 }
 
 std::vector<Outcome> Objective::outcomes(const std::vector<Eigen::VectorXd>& some) {
   std::vector<Candidate> candidates;
   for (const Eigen::VectorXd& x : some) candidates.push_back(space_.decode(x));
-  const std::vector<const LedgerEntry*> found = entries(candidates);
+  const std::vector<LedgerEntry> found = volumes_.at(candidates);
   std::vector<Outcome> result;
   for (std::size_t i = 0; i < some.size(); ++i) {
-    result.push_back(judged(some[i], *found[i]));
-    if (asked_.emplace(ledger_key(candidates[i]), true).second)
+    result.push_back(judged(some[i], found[i]));
+    if (volumes_.is_simulation() && asked_.emplace(ledger_key(candidates[i]), true).second)
       evaluations_.push_back({candidates[i], result.back().objective,
-                              static_cast<Ending::Status>(found[i]->status), found[i]->wall_s});
+                              static_cast<Ending::Status>(found[i].status), found[i].wall_s});
   }
   return result;
 }
 
 Slopes Objective::slopes(const Eigen::VectorXd& x) {
+  std::vector<Eigen::Index> all(space_.size());
+  std::iota(all.begin(), all.end(), Eigen::Index{0});
+  return slopes(x, all);
+}
+
+Slopes Objective::slopes(const Eigen::VectorXd& x, const std::vector<Eigen::Index>& some) {
   const Outcome here = outcomes({x}).front();
   if (!here.residuals) return std::nullopt;
-  const Candidate candidate = space_.decode(x);
-  const std::string key = ledger_key(candidate) + "slopes";
-  const Eigen::Index coordinates = x.size();
-  if (!usable(ledger_.find(key), static_cast<std::size_t>(samples() * coordinates))) {
-    ledger_.add(key, simulate_slopes(x, candidate));
-    ++simulated_;
-    if (execution_.progress) execution_.progress(simulated_);
+  const auto coordinates = static_cast<Eigen::Index>(some.size());
+  const std::vector<Candidate> all_directions = space_.directions(x);
+  std::vector<Candidate> directions;
+  for (const Eigen::Index i : some) directions.push_back(all_directions[static_cast<std::size_t>(i)]);
+  const auto entry = volumes_.slopes(space_.decode(x), directions);
+  if (!entry) {
+    const LeastSquares whole = problem();
+    return jacobian(with_fixed(whole, x, some), x(some), 1e-4);
   }
-  const LedgerEntry& entry = *ledger_.find(key);
-  if (!usable(&entry, static_cast<std::size_t>(samples() * coordinates))) return std::nullopt;
+  if (entry->values.empty()) return std::nullopt;
 
-  const Eigen::VectorXd known = space_.prior_residuals(x);
+  const double step = 1e-4;  // most priors are linear; for the others this is short
   const Eigen::VectorXd deviations = (*model(x) - measured_).cwiseQuotient(deviation_);
   const Eigen::VectorXd weight = robust_slopes(deviations, loss_, loss_scale_).cwiseQuotient(deviation_);
-  Eigen::MatrixXd all(samples() + known.size(), coordinates);
+  Eigen::MatrixXd all(here.residuals->size(), coordinates);
   all.topRows(samples()) =
-      weight.asDiagonal() * Eigen::MatrixXd::Map(entry.values.data(), samples(), coordinates);
-  for (Eigen::Index i = 0; i < coordinates; ++i)  // priors are linear, so a difference is exact
-    all.col(i).tail(known.size()) = space_.prior_residuals(x + Eigen::VectorXd::Unit(coordinates, i)) - known;
+      weight.asDiagonal() * Eigen::MatrixXd::Map(entry->values.data(), samples(), coordinates);
+  for (Eigen::Index i = 0; i < coordinates; ++i) {
+    const Eigen::VectorXd aside = step * Eigen::VectorXd::Unit(x.size(), some[static_cast<std::size_t>(i)]);
+    all.col(i).tail(all.rows() - samples()) = (known(x + aside) - known(x - aside)) / (2.0 * step);
+  }
   return all;
 }
 
 std::optional<Eigen::VectorXd> Objective::model(const Eigen::VectorXd& x) {
-  return models({x}).front();
-}
-
-std::vector<std::optional<Eigen::VectorXd>> Objective::models(const std::vector<Eigen::VectorXd>& some) {
-  outcomes(some);  // enters the simulations in evaluations_
-  std::vector<Candidate> candidates;
-  for (const Eigen::VectorXd& x : some) candidates.push_back(space_.decode(x));
-  std::vector<std::optional<Eigen::VectorXd>> result;
-  for (const LedgerEntry* entry : entries(candidates))
-    if (entry->values.empty())
-      result.emplace_back();
-    else
-      result.emplace_back(Eigen::VectorXd::Map(entry->values.data(), samples()));
-  return result;
+  outcomes({x});  // enters the simulation in evaluations_
+  const LedgerEntry entry = volumes_.at({space_.decode(x)}).front();
+  if (entry.values.empty()) return std::nullopt;
+  return Eigen::VectorXd::Map(entry.values.data(), samples());
 }
 
 int Objective::failures() const noexcept {

@@ -1,13 +1,13 @@
 #pragma once
 
-#include <functional>
+#include <map>
 #include <optional>
 #include <vector>
 
-#include "anatomy/breath_run.hpp"
-#include "ledger/ledger.hpp"
+#include "dynamics/simulate.hpp"
 #include "problem/measured_curve.hpp"
 #include "problem/search_space.hpp"
+#include "problem/volume_model.hpp"
 #include "search/least_squares.hpp"
 
 namespace trunk {
@@ -20,33 +20,31 @@ struct Evaluation {
   double wall_s = 0.0;
 };
 
-/// How simulations are run.
-struct Execution {
-  unsigned threads = 0;  // 0: one per core
-  std::function<bool()> cancelled;
-  std::function<void(std::size_t)> progress;  // called with the number of simulations so far
-};
+/// What is known of a candidate beside its volume curve: a residual of deviation 1.
+using Knowledge = std::function<double(const Candidate&)>;
 
-/// The distance between a candidate's lung volume and the measured one (paper, "Estimation of the model
-/// parameters", steps 2 and 3), as a least-squares problem in the coordinates of a search space. A simulation
-/// that is in the ledger is not run again. The residuals are those of the curve in deviations, then the
-/// priors.
+/// The log-posterior of a fit, as a least-squares problem in the coordinates of a search space: -2 log of it
+/// is the sum of squares, up to a constant. Its residuals are the distance between the model's lung volume
+/// and the measured one, in deviations (paper, "Estimation of the model parameters", steps 2 and 3), then the
+/// priors of the space, then what else is known. The search, the intervals, the profiles, the joint region
+/// and the predictions all use it.
 class Objective {
  public:
   /// All arguments must outlive the objective. Throws InputError if the curve is empty or longer than the
   /// grid.
-  Objective(const Trunk& trunk, const TimeGrid& grid, const SearchSpace& space, const MeasuredCurve& measured,
-            Ledger& ledger, const Execution& execution = {});
+  Objective(VolumeModel& model, const TimeGrid& grid, const SearchSpace& space, const MeasuredCurve& measured,
+            Knowledge knowledge = {});
 
-  /// Returns the problem for a search. It throws Cancelled once the execution is cancelled. If a simulation
-  /// fails, its objective is a finite penalty, smaller for a simulation that lasted longer: NLopt 2.7.1 takes
-  /// NaN or infinity for success.
+  /// Returns the problem for a search. If a simulation fails, its objective is a finite penalty, smaller for
+  /// a simulation that lasted longer: NLopt 2.7.1 takes NaN or infinity for success.
   LeastSquares problem();
+
+  /// Returns the derivatives of the residuals by some coordinates, [residuals, some]: the exact ones if the
+  /// model has them, otherwise central differences. None if a simulation fails.
+  Slopes slopes(const Eigen::VectorXd& x, const std::vector<Eigen::Index>& some);
 
   /// Returns the model at the measured samples, m3; none if the simulation fails.
   std::optional<Eigen::VectorXd> model(const Eigen::VectorXd& x);
-  /// Returns the same for several points, simulated side by side.
-  std::vector<std::optional<Eigen::VectorXd>> models(const std::vector<Eigen::VectorXd>& some);
 
   /// Applies this loss from now on; see robust_residuals.
   void use_loss(Loss loss, double scale);
@@ -58,34 +56,24 @@ class Objective {
   const SearchSpace& space() const noexcept { return space_; }
 
   const std::vector<Evaluation>& evaluations() const noexcept { return evaluations_; }
-  std::size_t simulated() const noexcept { return simulated_; }  // without those found in the ledger
   int failures() const noexcept;
 
  private:
-  std::vector<const LedgerEntry*> entries(const std::vector<Candidate>& candidates);
-  void simulate_missing(const std::vector<Candidate>& candidates, const std::vector<std::string>& keys);
-  std::vector<LedgerEntry> simulate(const std::vector<Candidate>& candidates) const;
-  LedgerEntry simulate_slopes(const Eigen::VectorXd& x, const Candidate& candidate) const;
-  bool usable(const LedgerEntry* entry, std::size_t numbers) const;
+  Eigen::VectorXd known(const Eigen::VectorXd& x) const;
   Slopes slopes(const Eigen::VectorXd& x);
   Outcome judged(const Eigen::VectorXd& x, const LedgerEntry& entry) const;
   std::vector<Outcome> outcomes(const std::vector<Eigen::VectorXd>& some);
 
-  const Trunk& trunk_;
+  VolumeModel& volumes_;
   const TimeGrid& grid_;
   const SearchSpace& space_;
   const MeasuredCurve& curve_;
-  Ledger& ledger_;
-  Execution execution_;
+  Knowledge knowledge_;
   Eigen::VectorXd measured_, deviation_;
   Loss loss_ = Loss::squares;
   double loss_scale_ = 1.0;
   std::vector<Evaluation> evaluations_;
   std::map<std::string, bool> asked_;
-  std::size_t simulated_ = 0;
 };
-
-/// Returns the key of a simulation in the ledger: parameters and activation as bytes.
-std::string ledger_key(const Candidate& candidate);
 
 }  // namespace trunk

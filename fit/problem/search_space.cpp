@@ -181,8 +181,11 @@ Eigen::VectorXd SearchSpace::prior_residuals(const Eigen::VectorXd& x) const {
       at += elasticity ? x[static_cast<Eigen::Index>(*elasticity)] : std::log(start_.parameters.elasticity);
     rows.push_back((at - prior.mean) / prior.deviation);
   }
-  if (shaped_)
-    for (const double bend : bends(decode(x).activation.shape)) rows.push_back(bend / bend_deviation);
+  if (shaped_) {
+    const std::vector<double> now = bends(decode(x).activation.shape),
+                              before = bends(start_.activation.shape);
+    for (std::size_t k = 0; k < now.size(); ++k) rows.push_back((now[k] - before[k]) / bend_deviation);
+  }
   return Eigen::VectorXd::Map(rows.data(), static_cast<Eigen::Index>(rows.size()));
 }
 

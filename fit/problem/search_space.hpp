@@ -52,8 +52,8 @@ class SearchSpace {
   std::vector<Candidate> directions(const Eigen::VectorXd& x) const;
 
   /// Returns the priors as residuals of deviation 1: one for each prior, and one for each bend of the
-  /// activation's shape (second difference of the logarithms of neighbouring knots, deviation 0.3; our
-  /// choice).
+  /// activation's shape (second difference of the logarithms of neighbouring knots, which is that of the
+  /// start with a deviation of 0.3; our choice).
   Eigen::VectorXd prior_residuals(const Eigen::VectorXd& x) const;
 
  private:

@@ -14,7 +14,7 @@ std::vector<NamedValue> statistics_of(const Estimation& e) {
   s.push_back({"evaluations", "1", static_cast<double>(e.evaluations.size())});
   s.push_back({"failed_evaluations", "1", static_cast<double>(e.failures)});
   if (e.cross_check)
-    s.push_back({"methods_differ_percent", "percent", 100.0 * e.cross_check->largest_difference});
+    s.push_back({"methods_differ_percent", "percent", 100.0 * e.cross_check->largest_difference()});
   if (e.uncertainty) {
     const auto noise = noise_numbers(*e.uncertainty);
     s.insert(s.end(), noise.begin(), noise.end());
@@ -77,10 +77,7 @@ void add_evaluations(const SearchSpace& space, const Estimation& e, FitRecord& f
   }
 }
 
-void add_likelihood(const SearchSpace& space, const Estimation& e, FitRecord& fit) {
-  for (const LocalSearch& s : e.starts)
-    fit.starts.push_back({natural_values(space, space.decode(s.from)),
-                          natural_values(space, space.decode(s.to)), s.objective, s.converged});
+void add_likelihood(const Estimation& e, FitRecord& fit) {
   for (const Profile& p : e.profiles)
     fit.profiles.push_back({p.name,
                             p.unit,
@@ -145,12 +142,11 @@ FitRecord fit_record(const ScenarioFile& file, const Trunk& trunk, const SearchS
   fit.status = status;
   fit.message = e.search.stop_reason;
   fit.scenario_toml = scenario_text(file);
-  fit.verdict = e.uncertainty ? e.uncertainty->verdict : "";
   fit.stop_reason = e.search.stop_reason;
   fit.algorithm = e.algorithm;
   fit.parameters = fitted_parameters(space, {file.scenario.parameters, file.scenario.activation}, e);
   add_evaluations(space, e, fit);
-  add_likelihood(space, e, fit);
+  add_likelihood(e, fit);
   if (e.uncertainty) {
     for (const Estimate& p : e.uncertainty->parameters) fit.covariance_names.push_back(p.name);
     const Eigen::MatrixXd& c = e.uncertainty->log_covariance;
@@ -173,7 +169,6 @@ FitRecord fit_record(const ScenarioFile& file, const Trunk& trunk, const SearchS
   fit.statistics = statistics_of(e);
   if (e.bootstrap) add_bootstrap(space, *e.bootstrap, fit);
   fit.notes = e.notes;
-  fit.identifiable = e.uncertainty && e.uncertainty->identifiable;
   if (e.cross_check) fit.cross_check = {e.cross_check->first, e.cross_check->second, e.cross_check->agree};
   fit.provenance = provenance;
 

@@ -22,8 +22,7 @@ FitPlan plan_of_breath(const SubjectFit& fit, const Candidate& best) {
   });
   EstimationOptions& options = plan.estimation;
   options.search.algorithm = "lm";
-  options.starts = 1;
-  options.cross_check = options.profiles = false;
+  options.profiles = false;
   options.surface_points = options.bootstrap = 0;
   // Once the sum of squares is this flat, k_muscle is within a twentieth of its standard error.
   options.search.objective_tolerance = 1e-5;
@@ -33,7 +32,7 @@ FitPlan plan_of_breath(const SubjectFit& fit, const Candidate& best) {
 
 BreathRefit row_of(const Estimation& e) {
   BreathRefit row;
-  row.status = status_of(e);
+  row.status = e.search.converged ? "converged" : "not_converged";
   row.nrmse = e.quality.nrmse;
   row.evaluations = e.evaluations.size();
   const double unknown = std::nan("");

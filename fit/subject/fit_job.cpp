@@ -44,6 +44,23 @@ Scenario with_rounded(Scenario scenario, const SearchSpace& space) {
   return scenario;
 }
 
+/// Gives the estimates of stiffness the intervals of the results, so that a number has one interval wherever
+/// it stands.
+void adopt_intervals(const FitResults& results, Estimation& e) {
+  if (!e.uncertainty) return;
+  const auto adopt = [&](Estimate& estimate, const char* name) {
+    const FitResult* r = results.find(name);
+    if (r == nullptr) return;
+    estimate.lower95 = r->lower95;
+    estimate.upper95 = r->upper95;
+    estimate.identifiable = r->grade <= Grade::assumption;
+  };
+  for (Estimate& estimate : e.uncertainty->parameters)
+    if (estimate.name == "k_elasticity" || estimate.name == "k_muscle")
+      adopt(estimate, estimate.name.c_str());
+  adopt(e.uncertainty->ratio, "k_muscle_over_k_elasticity");
+}
+
 /// The fitted scenario in full: it needs no other file.
 void save_scenario(const FitRequest& request, const Scenario& scenario) {
   const std::string text = fmt::format("# {} with the parameters of {}, written by trunk fit\n{}",
@@ -61,6 +78,7 @@ FitJob::FitJob(const FitRequest& request, Execution execution, FitListener liste
   const Measurement measurement = measured();
   if (measurement.breath) file.inputs.emplace_back(request_.trace);
   fit_ = std::make_unique<SubjectFit>(std::move(file), measurement, plan);
+  for (const std::string& note : fit_->screening().notes) notes_.push_back(note);
   if (each_ && !fit_->space().find("k_muscle"))
     throw InputError({"--breath each"}, "k_muscle is what it fits", "k_muscle among the free parameters");
   read_others();
@@ -81,7 +99,7 @@ Measurement FitJob::measured() {
   }
   Segmentation s = segment_breaths(read_signal(request_.trace, request_.signal), request_.selection);
   notes_ = s.notes;
-  Measurement measurement{chosen_breath(s, request_.breath, notes_), 0.0};
+  Measurement measurement{chosen_breath(s, request_.breath, notes_), 0.0, trace_signs(s)};
   if (request_.breath == "each") each_ = std::move(s);
   return measurement;
 }
@@ -132,6 +150,8 @@ FitOutcome FitJob::carry_out() {
     outcome.breaths = refit_each_breath(*fit_, e, *each_, [&](std::size_t done) {
       listener_.progress(fmt::format("fitting: {} breaths", done));
     });
+  outcome.results = fit_->results(e);
+  adopt_intervals(outcome.results, e);
   outcome.predictions = predict(*fit_, e, others_, request_.draws);
   outcome.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return outcome;
@@ -144,13 +164,15 @@ void FitJob::store(const FitOutcome& outcome, const std::string& argv) {
   const auto& breath = fit_->measurement().breath;
   Provenance provenance = provenance_of(inputs(), argv);
   provenance.seed = fit_->plan().estimation.search.seed;
-  FitRecord record =
-      fit_record(fit_->file(), fit_->trunk(), fit_->space(), fit_->measured_curve(),
-                 breath ? breath->sigma_m3 : std::vector<double>(), e, status_of(e), run, provenance);
+  FitRecord record = fit_record(fit_->file(), fit_->trunk(), fit_->space(), fit_->measured_curve(),
+                                breath ? breath->sigma_m3 : std::vector<double>(), e,
+                                status_of(outcome.results.grade), run, provenance);
   if (breath) {
     record.statistics.push_back({"breaths_used", "1", static_cast<double>(breath->breaths_used)});
     record.statistics.push_back({"breaths_rejected", "1", static_cast<double>(breath->breaths_rejected)});
   }
+  record.verdict = outcome.results.verdict;
+  record.identifiable = outcome.results.grade <= Grade::assumption;
   add_breaths(outcome.breaths, record);
   add_predictions(outcome.predictions, record);
   write_fit(request_.output, record);

@@ -99,11 +99,18 @@ Json breaths_json(const std::vector<BreathRefit>& breaths) {
   return list;
 }
 
+Json straight_json(const StraightActivation& straight) {
+  Json json = Json::object();
+  for (const FitResult& r : straight.results) json[r.name] = to_json(r);
+  json["nrmse_percent"] = json_number(100.0 * straight.nrmse);
+  return json;
+}
+
 }  // namespace
 
 Json fit_json(const SubjectFit& fit, const FitOutcome& outcome) {
   const Estimation& e = outcome.estimation;
-  Json json{{"schema", "trunk.fit/1"}};
+  Json json{{"schema", "trunk.fit/2"}};
   json.update(to_json(summary_of(fit, outcome)));
   for (const NamedValue& v : quality_numbers(e)) json[v.name] = json_number(v.value);
   json["tidal_volume_error_percent"] =
@@ -118,10 +125,13 @@ Json fit_json(const SubjectFit& fit, const FitOutcome& outcome) {
   json["activation"] = activation_json(fit, e);
   json["algorithm"] = e.algorithm;
   json["stop_reason"] = e.search.stop_reason;
-  json["starts"] = e.starts.size();
+  json["starts"] = fit.compartment_searches().size();
+  json["simulations"] = e.simulations;
+  json["notes"] = outcome.notes;
+  if (outcome.results.straight) json["straight_activation"] = straight_json(*outcome.results.straight);
   if (e.cross_check)
     json["cross_check"] = {{"methods", {e.cross_check->first, e.cross_check->second}},
-                           {"largest_difference_percent", 100.0 * e.cross_check->largest_difference},
+                           {"largest_difference_percent", 100.0 * e.cross_check->largest_difference()},
                            {"agree", e.cross_check->agree}};
   json["evaluations"] = e.evaluations.size();
   json["replayed"] = outcome.replayed;

@@ -8,6 +8,7 @@ namespace trunk {
 /// All that came of the fit of one subject. JSON, tables, text and the result file are each written from it.
 struct FitOutcome {
   Estimation estimation;
+  FitResults results;
   std::vector<BreathRefit> breaths;     // empty unless --breath each
   std::vector<Prediction> predictions;  // in the order in which scenarios were named
   std::vector<std::string> notes;       // on what was read, then on the fit

@@ -4,7 +4,6 @@
 
 #include <charconv>
 #include <cmath>
-#include <limits>
 
 #include "errors/input_error.hpp"
 
@@ -77,8 +76,7 @@ FitPlan plan_of(const FitRequest& request) {
                      "a surface of so few points shows nothing",
                      "0 (none) or 3 to 200 points along each parameter");
   if (request.surface >= 0) plan.estimation.surface_points = request.surface;
-  if (request.surface > 0 || request.force_profiles)
-    plan.estimation.budget_s = std::numeric_limits<double>::infinity();
+  plan.straight = request.assume == "straight-activation";
   return plan;
 }
 

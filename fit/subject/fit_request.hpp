@@ -17,10 +17,9 @@ struct FitRequest {
   BreathSelection selection;
   std::vector<std::string> settings, priors;  // key=value; see prior_of
   FitPlan plan;
-  std::string timing = "joint", loss = "squares", weights = "uniform";
+  std::string timing = "joint", assume, loss = "squares", weights = "uniform";
   bool keep_timing = false;
   int surface = -1;  // points along each parameter; -1: not given
-  bool force_profiles = false;
 };
 
 /// Returns what is known beforehand of a parameter: name=MEAN:FACTOR (name=MEAN:SD for a parameter that is

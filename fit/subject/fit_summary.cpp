@@ -61,6 +61,29 @@ Estimate estimate_from(const std::string& name, const Json& json) {
   return e;
 }
 
+Grade grade_from(const std::string& name) {
+  for (const Grade grade : {Grade::determined, Grade::assumption, Grade::not_determined})
+    if (name == name_of(grade)) return grade;
+  return Grade::not_converged;
+}
+
+std::string text_from(const Json& json, const char* key) {
+  const Json& value = json.at(key);
+  return value.is_null() ? "" : value.get<std::string>();
+}
+
+FitResult result_from(const std::string& name, const Json& json) {
+  return {name,
+          json.at("unit").get<std::string>(),
+          number_from(json, "value"),
+          number_from(json, "lower95"),
+          number_from(json, "upper95"),
+          grade_from(json.at("grade").get<std::string>()),
+          text_from(json, "assumption"),
+          text_from(json, "reason"),
+          text_from(json, "meaning")};
+}
+
 }  // namespace
 
 PredictionSummary summary_of(const Prediction& p) {
@@ -76,9 +99,12 @@ PredictionSummary summary_of(const Prediction& p) {
 FitSummary summary_of(const SubjectFit& fit, const FitOutcome& outcome) {
   const Estimation& e = outcome.estimation;
   FitSummary s;
-  s.status = status_of(e);
+  s.grade = outcome.results.grade;
+  s.status = status_of(s.grade);
+  for (const Gate& gate : outcome.results.gates) s.gates.push_back(gate.name);
+  s.results = outcome.results.results;
+  s.headline = outcome.results.headline;
   if (e.uncertainty) {
-    s.identifiable = e.uncertainty->identifiable;
     s.parameters = e.uncertainty->parameters;
     if (!e.uncertainty->ratio.name.empty()) s.ratio = e.uncertainty->ratio;
   }
@@ -91,7 +117,7 @@ FitSummary summary_of(const SubjectFit& fit, const FitOutcome& outcome) {
   }
   if (!outcome.breaths.empty()) s.median_latency_ms = 1e3 * median_latency_s(outcome.breaths);
   for (const Prediction& p : outcome.predictions) s.predictions.push_back(summary_of(p));
-  s.verdict = e.uncertainty ? e.uncertainty->verdict : "The search did not converge: " + e.search.stop_reason;
+  s.verdict = outcome.results.verdict;
   s.simulated = e.simulated;
   return s;
 }
@@ -108,8 +134,19 @@ Json to_json(const Estimate& e) {
           {"at_bound", e.at_bound}};
 }
 
+Json to_json(const FitResult& r) {
+  const auto text = [](const std::string& words) { return words.empty() ? Json(nullptr) : Json(words); };
+  return {{"value", json_number(r.value)},     {"unit", r.unit},
+          {"lower95", json_number(r.lower95)}, {"upper95", json_number(r.upper95)},
+          {"grade", name_of(r.grade)},         {"assumption", text(r.assumption)},
+          {"reason", text(r.reason)},          {"meaning", r.meaning}};
+}
+
 Json to_json(const FitSummary& s) {
-  Json json{{"status", s.status}, {"identifiable", s.identifiable}, {"parameters", Json::object()}};
+  Json json{{"status", s.status}, {"grade", name_of(s.grade)}, {"headline", s.headline}, {"gates", s.gates}};
+  json["results"] = Json::object();
+  for (const FitResult& r : s.results) json["results"][r.name] = to_json(r);
+  json["parameters"] = Json::object();
   for (const Estimate& p : s.parameters) json["parameters"][p.name] = to_json(p);
   if (s.ratio) json["ratio"] = to_json(*s.ratio);
   json["nrmse_percent"] = json_number(s.nrmse_percent);
@@ -127,7 +164,11 @@ Json to_json(const FitSummary& s) {
 FitSummary summary_from_json(const Json& json) {
   FitSummary s;
   s.status = json.at("status").get<std::string>();
-  s.identifiable = json.at("identifiable").get<bool>();
+  s.grade = grade_from(json.at("grade").get<std::string>());
+  s.headline = json.at("headline").get<std::vector<std::string>>();
+  s.gates = json.at("gates").get<std::vector<std::string>>();
+  for (const auto& [name, result] : json.at("results").items())
+    s.results.push_back(result_from(name, result));
   for (const auto& [name, estimate] : json.at("parameters").items())
     s.parameters.push_back(estimate_from(name, estimate));
   if (json.contains("ratio")) s.ratio = estimate_from("ratio", json["ratio"]);

@@ -27,7 +27,7 @@ std::vector<Candidate> candidates_of(const SearchSpace& space, const Estimation&
   const auto n = static_cast<Eigen::Index>(space.size());
   const SymmetricEigen eigen = symmetric_eigen(e.local->covariance);
   const Eigen::MatrixXd root = eigen.vectors * eigen.values.cwiseMax(0.0).cwiseSqrt().asDiagonal();
-  const double freedom = e.local->noise.freedom;
+  const double freedom = e.local->freedom;
   const LeastSquares cube{{}, Eigen::VectorXd::Zero(n + 1), Eigen::VectorXd::Ones(n + 1)};
   const Eigen::VectorXd lower = space.lower(), upper = space.upper();
   for (Eigen::VectorXd part : sobol_starts(cube, static_cast<std::size_t>(draws), seed)) {

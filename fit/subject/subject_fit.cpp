@@ -3,11 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
+#include "dynamics/recoil.hpp"
+#include "estimation/start.hpp"
+#include "expiration/energy_law.hpp"
 #include "records/provenance.hpp"
 #include "scenarios/build_trunk.hpp"
 #include "subject/fixed_parameters.hpp"
 #include "trunks/read_trunk_pml.hpp"
+#include "verdict/assess_fit.hpp"
+#include "verdict/straight_activation.hpp"
 
 namespace trunk {
 namespace {
@@ -16,6 +22,42 @@ std::vector<std::string> timing_names() {
   std::vector<std::string> names = parameter_names({"timing"});
   names.emplace_back("fast_fall_level");
   return names;
+}
+
+/// Returns the parameters that are estimated beside those asked for.
+std::vector<std::string> beside_of(const std::vector<FixedParameter>& fixed, bool straight) {
+  std::vector<std::string> names = timing_names();
+  if (!straight)
+    for (const std::string& knot : parameter_names({"shape"})) names.push_back(knot);
+  for (const FixedParameter& held : fixed) std::erase(names, held.name());
+  return names;
+}
+
+/// Returns the recoil time at which the compartment begins. Where the energy gives no recoil time, it is
+/// long.
+double usable_recoil_s(const RecoilTime& recoil) {
+  const double longest_s = 3.0;
+  return std::isfinite(recoil.median_s) ? std::min(recoil.median_s, longest_s) : longest_s;
+}
+
+/// Returns what speaks against a fit of this measurement.
+Screening screened(const Measurement& measurement, double end_expiratory_m3) {
+  if (measurement.signs) return trunk::screened(*measurement.signs, end_expiratory_m3);
+  Screening screening;
+  const double tidal_volume =
+      measurement.breath ? measurement.breath->tidal_volume_m3 : measurement.tidal_volume_m3;
+  if (const auto gate = subject_size(tidal_volume, end_expiratory_m3)) screening.gates.push_back(*gate);
+  return screening;
+}
+
+/// Whether an option of this run set a key, and not a file.
+bool set_by_option(const ScenarioFile& file, const std::string& key) {
+  const auto at = file.origin.find(key);
+  return at != file.origin.end() && at->second.file.starts_with("--set");
+}
+
+bool is_shape(const std::string& name) {
+  return free_parameter(name).group == FreeParameter::Group::shape;
 }
 
 void hold(const std::vector<FixedParameter>& fixed, ScenarioFile& file) {
@@ -32,30 +74,113 @@ void hold(const std::vector<FixedParameter>& fixed, ScenarioFile& file) {
 
 SubjectFit::SubjectFit(ScenarioFile file, Measurement measurement, FitPlan plan)
     : file_(std::move(file)), measurement_(std::move(measurement)), plan_(std::move(plan)) {
-  std::vector<std::string> beside;
+  Draft draft = drafted();
+  Scenario& scenario = file_.scenario;
+  if (!set_by_option(file_, "time.start")) scenario.time.start = Start::periodic;
   if (measurement_.breath) {
-    const MeasuredBreath& breath = *measurement_.breath;
-    measured_curve_ = measured_curve_of(breath, plan_.weighted);
-    file_.scenario.time.duration_s = breath.duration_s;
-    if (plan_.timing != Timing::scenario) {
-      adopt_timing(breath, file_.scenario);
-      timed_ = 3;
-    }
-    if (plan_.timing == Timing::joint) beside = timing_names();
+    measured_curve_ = measured_curve_of(*measurement_.breath, plan_.weighted);
+    scenario.time.duration_s = measurement_.breath->duration_s;
+    if (plan_.timing != Timing::scenario)
+      scenario.activation = activation_from_landmarks(*measurement_.breath);
   } else {
     measured_curve_ = {{}, {measurement_.tidal_volume_m3}, {}};
     plan_.timing = Timing::scenario;
   }
-  std::vector<FixedParameter> fixed;
-  for (const std::string& text : plan_.fixed) fixed.push_back(fixed_parameter(text));
-  hold(fixed, file_);
-  for (const FixedParameter& held : fixed) std::erase(beside, held.name());
+  hold(draft.fixed, file_);
+  begin_ = scenario.parameters;
+  if (plan_.timing == Timing::joint) draft.beside = beside_of(draft.fixed, plan_.straight);
+  trunk_ = build_trunk(file_);
+  screening_ = screened(measurement_, shape_of(trunk_, trunk_.model.rest).lung_volume);
+  if (measurement_.breath) begin_with_compartment(draft);
+  choose_time_step(file_, trunk_, stiffer_in_searches);
+  if (measurement_.breath) calibrate_compartment(draft);
+  space_ = std::make_unique<SearchSpace>(draft.names, Candidate{scenario.parameters, scenario.activation},
+                                         draft.beside, plan_.priors);
+}
+
+std::vector<std::string> SubjectFit::Draft::timing() const {
+  std::vector<std::string> times = beside;
+  std::erase_if(times, is_shape);
+  return times;
+}
+
+SubjectFit::Draft SubjectFit::drafted() const {
+  Draft draft;
+  for (const std::string& text : plan_.fixed) draft.fixed.push_back(fixed_parameter(text));
   Mistakes mistakes;
-  const auto names = names_to_fit(plan_.free, fixed, !measurement_.breath, mistakes);
+  draft.names = names_to_fit(plan_.free, draft.fixed, !measurement_.breath, mistakes);
   mistakes.settle();
-  space_ = std::make_unique<SearchSpace>(
-      names, Candidate{file_.scenario.parameters, file_.scenario.activation}, beside, plan_.priors);
-  trunk_ = build_timed_trunk(file_, stiffer_in_searches);
+  return draft;
+}
+
+/// Lets one compartment find where the search begins. => the scenario's parameters and activation
+void SubjectFit::begin_with_compartment(const Draft& draft) {
+  Scenario& scenario = file_.scenario;
+  const Candidate begin{scenario.parameters, scenario.activation};
+  const Recoil recoil = measure_recoil(trunk_.model, scenario.parameters);
+  compartment_ = {recoil.time_factor, recoil.gain, recoil.gain};
+  CompartmentFit fit{compartment_, scenario.time, measured_curve_, draft.names, draft.beside, plan_.priors};
+  fit.starts = plan_.starts;
+  fit.seed = plan_.estimation.search.seed;
+  const bool shaped = std::any_of(draft.beside.begin(), draft.beside.end(), is_shape) ||
+                      std::any_of(draft.names.begin(), draft.names.end(), is_shape);
+  if (shaped && draft.has("k_elasticity")) {
+    const ExpiredEnergy energy = expired_energy(*measurement_.breath);
+    knowledge_ = [energy, this](const Candidate& c) {
+      return energy_residual(energy, std::log(compartment_.time_constant_s(c.parameters))).z;
+    };
+    fit.knowledge = knowledge_;
+    fit.recoil_s = usable_recoil_s(recoil_time(*measurement_.breath));
+    straight_ = straight_activation(fit, begin, measurement_.breath->each_m3);
+  }
+  if (plan_.timing == Timing::trace) fit.beside = timing_names();
+  if (fit.beside.empty()) fit.starts = 1;
+  searches_ = trunk::compartment_searches(fit, begin);
+  scenario.parameters = searches_.front().to.parameters;
+  scenario.activation = searches_.front().to.activation;
+}
+
+/// Makes the compartment follow the trunk over this breath as well as one compartment can, and begins at the
+/// stiffness that gives the trunk the recoil time found. => compartment_, the scenario's parameters
+void SubjectFit::calibrate_compartment(const Draft& draft) {
+  Scenario& scenario = file_.scenario;
+  Parameters<double>& p = scenario.parameters;
+  const VolumeCurve curve = simulate_volume(trunk_, p, scenario.activation, scenario.time);
+  if (!curve.ending.completed()) return;
+  const Eigen::VectorXd seen = sampled(curve.delta_v, scenario.time.dt_s, measured_curve_.time_s);
+  const MeasuredCurve breath{measured_curve_.time_s, {seen.data(), seen.data() + seen.size()}, {}};
+  const Candidate begin{p, scenario.activation};
+  // A timing that is fitted takes up a part of what the compartment misses, so it moves here too.
+  CompartmentFit fit{compartment_, scenario.time, breath, {"k_elasticity", "k_muscle"}, draft.timing(), {}};
+  fit.starts = 1;
+  fit.begin_at_usual_recoil = false;
+  const Parameters<double> found = trunk::compartment_searches(fit, begin).front().to.parameters;
+  const double recoil = compartment_.recoil * p.elasticity / found.elasticity,
+               gain = compartment_.gain_m3 * (found.muscle / found.elasticity) / (p.muscle / p.elasticity);
+  // Where the trunk does not breathe like one compartment, what was measured at rest serves better.
+  if (std::abs(std::log(recoil / compartment_.recoil)) > 0.3) return;
+  const auto within = [](const char* name, double value) {
+    return std::clamp(value, free_parameter(name).lower, free_parameter(name).upper);
+  };
+  const double ratio = p.muscle / p.elasticity;
+  if (draft.has("k_elasticity"))
+    p.elasticity = within("k_elasticity", p.elasticity * recoil / compartment_.recoil);
+  if (draft.has("k_muscle"))
+    p.muscle = within("k_muscle", ratio * p.elasticity * compartment_.gain_m3 / gain);
+  compartment_ = {recoil, gain, compartment_.held_m3};
+}
+
+FitProblem SubjectFit::problem() const {
+  FitProblem problem{trunk_, file_.scenario.time, *space_, measured_curve_, compartment_, begin_, knowledge_};
+  if (measurement_.breath) problem.breaths = measurement_.breath->each_m3;
+  return problem;
+}
+
+FitResults SubjectFit::results(const Estimation& e) const {
+  const FitProblem asked = problem();
+  return assess_fit({asked, e, measurement_.breath ? &*measurement_.breath : nullptr, screening_.gates,
+                     screening_.tidal_volume_error, plan_.straight, static_cast<bool>(knowledge_), straight_,
+                     searches_});
 }
 
 std::string SubjectFit::problem_text() const {
@@ -66,8 +191,7 @@ std::string SubjectFit::problem_text() const {
 }
 
 Estimation SubjectFit::carry_out(Ledger& ledger) const {
-  Estimation e =
-      estimate(trunk_, file_.scenario.time, *space_, measured_curve_, plan_.estimation, ledger, timed_);
+  Estimation e = estimate(problem(), plan_.estimation, ledger);
   if (!file_.scenario.step_choice || e.model.size() == 0) return e;
   const TimeGrid& grid = file_.scenario.time;
   const double error = time_step_error(trunk_.model, e.best.parameters, e.best.activation, grid);
@@ -87,9 +211,9 @@ ScenarioFile SubjectFit::fitted(const Estimation& e) const {
   return best;
 }
 
-std::string status_of(const Estimation& e) {
-  if (!e.search.converged) return "not_converged";
-  return e.uncertainty && e.uncertainty->identifiable ? "converged" : "not_identifiable";
+std::string status_of(Grade grade) {
+  if (grade == Grade::not_converged) return "not_converged";
+  return grade == Grade::not_determined ? "not_identifiable" : "converged";
 }
 
 }  // namespace trunk

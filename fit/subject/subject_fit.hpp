@@ -1,15 +1,20 @@
 #pragma once
 
+#include <algorithm>
 #include <memory>
 
+#include "breaths/mean_breath.hpp"
 #include "estimation/estimate.hpp"
+#include "gates/gates.hpp"
 #include "scenarios/read_scenario.hpp"
+#include "subject/fixed_parameters.hpp"
+#include "verdict/fit_results.hpp"
 
 namespace trunk {
 
-/// Where the activation's timing comes from. joint: it is estimated along with the parameters and starts from
-/// the trace; trace: a one-compartment model takes it from the trace, and it is held; scenario: it is the
-/// scenario's.
+/// Where the activation's timing comes from. joint: it is estimated along with the parameters, and so is the
+/// activation's shape; trace: one compartment with straight lines takes it from the trace, and it is held;
+/// scenario: it is the scenario's.
 enum class Timing { joint, trace, scenario };
 
 /// How one subject is fitted.
@@ -18,7 +23,9 @@ struct FitPlan {
   std::vector<std::string> fixed;  // name=value or name=@file.h5
   std::vector<Prior> priors;
   Timing timing = Timing::joint;
+  bool straight = false;  // the activation is assumed to consist of straight lines
   bool weighted = false;  // samples count by the deviation that the breath gives them
+  int starts = 12;        // of the compartment
   EstimationOptions estimation;
 };
 
@@ -26,19 +33,23 @@ struct FitPlan {
 struct Measurement {
   std::optional<MeasuredBreath> breath;
   double tidal_volume_m3 = 0.0;
+  std::optional<TraceSigns> signs{};  // of the whole recording
 };
 
 /// A fit that is ready to be carried out. It cannot be moved, because its parts refer to each other.
 class SubjectFit {
  public:
-  /// Takes the timing from the breath, sets the fixed parameters (their files go to file.inputs) and sets up
-  /// the search. Throws InputError if the plan contradicts itself or the scenario.
+  /// Sets the fixed parameters (their files go to file.inputs), lets one compartment find where the search
+  /// begins, and sets up the search. The breath repeats, unless the scenario was told `--set
+  /// time.start=rest`. Throws InputError if the plan contradicts itself or the scenario.
   SubjectFit(ScenarioFile file, Measurement measurement, FitPlan plan);
   SubjectFit(const SubjectFit&) = delete;
 
   /// Returns all that a simulation depends on beside the candidate, as a key for the ledger.
   std::string problem_text() const;
   Estimation carry_out(Ledger& ledger) const;
+  /// Returns values, intervals and grades. It simulates a few breaths.
+  FitResults results(const Estimation& e) const;
 
   /// Returns the scenario with the best parameters.
   ScenarioFile fitted(const Estimation& e) const;
@@ -47,20 +58,41 @@ class SubjectFit {
   const Measurement& measurement() const noexcept { return measurement_; }
   const FitPlan& plan() const noexcept { return plan_; }
   const MeasuredCurve& measured_curve() const noexcept { return measured_curve_; }
+  const Screening& screening() const noexcept { return screening_; }
   const SearchSpace& space() const noexcept { return *space_; }
   const Trunk& trunk() const noexcept { return trunk_; }
+  const std::vector<LocalSearch>& compartment_searches() const noexcept { return searches_; }  // best first
 
  private:
+  /// What is fitted and what is held.
+  struct Draft {
+    std::vector<std::string> names, beside;
+    std::vector<FixedParameter> fixed;
+
+    /// Returns the times and the level that are estimated beside what is asked for.
+    std::vector<std::string> timing() const;
+    bool has(std::string_view name) const { return std::count(names.begin(), names.end(), name) > 0; }
+  };
+  Draft drafted() const;
+  void begin_with_compartment(const Draft& draft);
+  void calibrate_compartment(const Draft& draft);
+  FitProblem problem() const;
+
   ScenarioFile file_;
   Measurement measurement_;
   FitPlan plan_;
   MeasuredCurve measured_curve_;
   std::unique_ptr<const SearchSpace> space_;
   Trunk trunk_;
-  std::size_t timed_ = 0;
+  Parameters<double> begin_;  // of the scenario, before the compartment finds better ones
+  TrunkAsCompartment compartment_;
+  Knowledge knowledge_;
+  Screening screening_;
+  std::vector<LocalSearch> searches_;
+  std::optional<StraightActivation> straight_;
 };
 
 /// Returns "converged", "not_identifiable" or "not_converged", as `fit --json` prints it.
-std::string status_of(const Estimation& e);
+std::string status_of(Grade grade);
 
 }  // namespace trunk

@@ -67,15 +67,15 @@ LikelihoodSurface likelihood_surface(Objective& objective, const LocalFit& fit, 
     for (const double second : at[1])
       nodes.push_back(problem.inside(fit.x + follow * Eigen::Vector2d(first - fit.x[0], second - fit.x[1])));
   const double lowest = problem.at(fit.x).objective;
-  const std::vector<Outcome> outcomes = problem.outcomes(nodes);
-  for (std::size_t k = 0; k < nodes.size(); ++k) {
-    const Eigen::VectorXd away = nodes[k] - fit.x;
+  const Eigen::MatrixXd beside =
+      Eigen::MatrixXd::Identity(fit.x.size(), fit.x.size()).rightCols(fit.x.size() - 2);
+  for (const Refit& node : refits(problem, fit, beside, nodes, {}, 3)) {
+    const Eigen::VectorXd away = node.x - fit.x;
     const double scale = away.head(2).norm() > 0.0 ? deviance_scale(fit, moved, away) : 1.0;
-    surface.deviance.push_back(outcomes[k].residuals ? scale * (outcomes[k].objective - lowest)
-                                                     : std::nan(""));
+    surface.deviance.push_back(scale * std::max(node.objective - lowest, 0.0));
   }
 
-  surface.threshold95 = 2.0 * gsl_cdf_fdist_Pinv(0.95, 2.0, fit.noise.freedom);
+  surface.threshold95 = 2.0 * gsl_cdf_fdist_Pinv(0.95, 2.0, fit.freedom);
   surface.closed = true;
   const auto n = static_cast<std::size_t>(points);
   Interval span[2];

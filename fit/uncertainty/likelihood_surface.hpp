@@ -4,11 +4,12 @@
 
 namespace trunk {
 
-/// The likelihood over a grid of the two parameters asked for. Nuisance parameters follow to first order.
+/// The likelihood over a grid of the two parameters asked for. All other
+/// parameters are fitted again at each point.
 struct LikelihoodSurface {
   std::string names[2], units[2];
   std::vector<double> axis[2];   // [n] each; the axis of k_muscle is the ratio k_muscle/k_elasticity
-  std::vector<double> deviance;  // [n * n], the second axis fastest; NaN if the simulation failed
+  std::vector<double> deviance;  // [n * n], the second axis fastest
   double threshold95 = 0.0;      // of the joint 95 % region: 2 F(0.95; 2, freedom)
   Interval region95[2];          // extent of the joint region along each axis
   bool closed = false;           // the region does not touch the edge of the grid

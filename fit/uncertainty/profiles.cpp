@@ -79,7 +79,7 @@ std::vector<Profile> profiles(Objective& objective, const LocalFit& fit, int poi
   const LeastSquares problem = objective.problem();
   const Natural natural_of(space);
   const Eigen::MatrixXd unit = natural_of.of(fit.unit_covariance), corrected = natural_of.of(fit.covariance);
-  const double lowest = problem.at(fit.x).objective, quantile = t_quantile(fit.noise.freedom);
+  const double lowest = problem.at(fit.x).objective, quantile = t_quantile(fit.freedom);
   const Candidate candidate = space.decode(fit.x);
 
   std::vector<Profile> result;

@@ -30,12 +30,12 @@ struct Deviations {  // of the logarithm, or of the amount
 };
 
 Estimate estimate(std::string name, std::string unit, Scale scale, double value, Deviations d,
-                  const Noise& noise) {
-  const Interval wide = interval(scale, value, d.corrected, t_quantile(noise.freedom));
+                  const LocalFit& fit) {
+  const Interval wide = interval(scale, value, d.corrected, t_quantile(fit.freedom));
   Estimate e{std::move(name), std::move(unit),
              value,           scale == Scale::factor ? value * d.corrected : d.corrected,
              wide.lower,      wide.upper};
-  e.naive95 = interval(scale, value, d.naive, t_quantile(noise.freedom));
+  e.naive95 = interval(scale, value, d.naive, t_quantile(fit.noise.freedom));
   e.identifiable = scale == Scale::factor ? wide.upper < widest_identifiable * wide.lower
                                           : wide.upper - wide.lower < widest_identifiable_amount;
   return e;
@@ -70,23 +70,64 @@ double t_quantile(double freedom) {
   return gsl_cdf_tdist_Pinv(0.975, freedom);
 }
 
-std::optional<LocalFit> local_fit(Objective& objective, const Eigen::VectorXd& x) {
-  const LeastSquares problem = objective.problem();
-  const Outcome here = problem.at(x);
-  const auto rows = jacobian(problem, x);
-  if (!here.residuals || !rows) return std::nullopt;
+namespace {
+
+/// Returns each breath minus the mean, in deviations, [samples, breaths].
+Eigen::MatrixXd apart(const std::vector<std::vector<double>>& breaths, const Objective& objective) {
+  const auto count = static_cast<Eigen::Index>(breaths.size());
+  if (count < 2) return Eigen::MatrixXd(objective.samples(), 0);
+  Eigen::MatrixXd all(objective.samples(), count);
+  for (Eigen::Index b = 0; b < count; ++b) {
+    const auto& volume = breaths[static_cast<std::size_t>(b)];
+    all.col(b) = (Eigen::VectorXd::Map(volume.data(), objective.samples()) - objective.measured())
+                     .cwiseQuotient(objective.deviation());
+  }
+  return all;
+}
+
+/// Returns the covariance of an estimate with these rows: noise, and clusters of breaths.
+Eigen::MatrixXd covariance_of(const Eigen::MatrixXd& rows, const Noise& noise,
+                              const Eigen::MatrixXd& breaths) {
+  const Eigen::Index n = breaths.rows();
+  Eigen::MatrixXd covariance =
+      least_squares_covariance(rows, noise_covariance(n, noise.deviation, noise.rho));
+  if (breaths.cols() < 2) return covariance;
+  const Eigen::MatrixXd moved = pseudo_inverse(rows).leftCols(n) * breaths;
+  const auto count = static_cast<double>(breaths.cols());
+  return covariance + moved * moved.transpose() / (count * (count - 1.0));
+}
+
+}  // namespace
+
+std::optional<LocalFit> local_fit(Objective& objective, const Eigen::VectorXd& x,
+                                  const Eigen::VectorXd& residuals,
+                                  const std::vector<std::vector<double>>& breaths) {
+  const auto rows = jacobian(objective.problem(), x);
+  if (!rows) return std::nullopt;
+  const Eigen::Index n = objective.samples();
   LocalFit fit;
   fit.x = x;
-  fit.residuals = here.residuals->head(objective.samples());
+  fit.residuals = residuals;
   fit.rows = *rows;
-  fit.noise = estimate_noise(fit.residuals, fit.rows.topRows(objective.samples()));
-  const Eigen::Index n = objective.samples();
+  fit.noise = estimate_noise(fit.residuals, fit.rows.topRows(n));
+  fit.breaths = apart(breaths, objective);
+  fit.freedom = fit.breaths.cols() > 1 ? static_cast<double>(fit.breaths.cols() - 1) : fit.noise.freedom;
   fit.unit_covariance = least_squares_covariance(fit.rows, Eigen::MatrixXd::Identity(n, n));
-  fit.covariance =
-      least_squares_covariance(fit.rows, noise_covariance(n, fit.noise.deviation, fit.noise.rho));
+  fit.covariance = covariance_of(fit.rows, fit.noise, fit.breaths);
   fit.naive_covariance =
       least_squares_covariance(fit.rows, noise_covariance(n, fit.noise.white_deviation, 0.0));
   return fit;
+}
+
+Eigen::MatrixXd covariance_with_held(const LocalFit& fit, Eigen::Index held) {
+  const Eigen::Index n = fit.x.size();
+  std::vector<Eigen::Index> others;
+  for (Eigen::Index i = 0; i < n; ++i)
+    if (i != held) others.push_back(i);
+  Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(n, n);
+  if (!others.empty())
+    covariance(others, others) = covariance_of(fit.rows(Eigen::all, others), fit.noise, fit.breaths);
+  return covariance;
 }
 
 Uncertainty assess(const Objective& objective, const LocalFit& fit) {
@@ -100,7 +141,7 @@ Uncertainty assess(const Objective& objective, const LocalFit& fit) {
   u.residual_autocorrelation = autocorrelation(fit.residuals, 1);
   u.noise_autocorrelation = fit.noise.rho;
   u.sigma_m3 = fit.noise.deviation * objective.deviation().mean();
-  u.freedom = fit.noise.freedom;
+  u.freedom = fit.freedom;
   u.log_covariance = corrected.topLeftCorner(asked_for, asked_for);
   const Eigen::VectorXd deviation = u.log_covariance.diagonal().cwiseSqrt().cwiseMax(1e-300);
   u.correlation =
@@ -114,14 +155,14 @@ Uncertainty assess(const Objective& objective, const LocalFit& fit) {
     const auto row = static_cast<Eigen::Index>(i);
     const FreeParameter& p = space.parameter(i);
     Estimate e = estimate(std::string(p.name), std::string(p.unit), p.scale, value_of(p, best),
-                          {std::sqrt(corrected(row, row)), std::sqrt(naive(row, row))}, fit.noise);
+                          {std::sqrt(corrected(row, row)), std::sqrt(naive(row, row))}, fit);
     e.at_bound = fit.x[row] < lower[row] + at_bound_margin || fit.x[row] > upper[row] - at_bound_margin;
     e.identifiable = e.identifiable && !e.at_bound;
     e.prior = space.given_deviation(i);
     if (space.is_ratio(i))
       u.ratio = estimate(
           "k_muscle/k_elasticity", "1", Scale::factor, best.parameters.muscle / best.parameters.elasticity,
-          {std::sqrt(fit.covariance(row, row)), std::sqrt(fit.naive_covariance(row, row))}, fit.noise);
+          {std::sqrt(fit.covariance(row, row)), std::sqrt(fit.naive_covariance(row, row))}, fit);
     (i < space.asked_for() ? u.parameters : u.beside).push_back(std::move(e));
   }
   // k_muscle is tied to k_elasticity: at a bound, neither is identifiable.

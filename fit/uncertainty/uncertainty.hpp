@@ -38,13 +38,28 @@ struct LocalFit {
   Eigen::VectorXd residuals;        // [samples] in deviations
   Eigen::MatrixXd rows;             // d residuals / d x: [samples + priors, coordinates]
   Noise noise;                      // in deviations
+  double freedom = 0.0;             // degrees of freedom of intervals
+  Eigen::MatrixXd breaths;          // [samples, breaths] breath minus mean, in deviations; 0 columns for one
   Eigen::MatrixXd unit_covariance;  // of x, as if all residuals had deviation 1
-  Eigen::MatrixXd covariance;       // of x, AR(1)
+  Eigen::MatrixXd covariance;       // of x: AR(1) noise, and how breaths differ
   Eigen::MatrixXd naive_covariance;
 };
 
-/// Returns the linear model at x; none if a simulation near x fails.
-std::optional<LocalFit> local_fit(Objective& objective, const Eigen::VectorXd& x);
+/// Returns the linear model at x, at which the curve has these `residuals` [samples] in deviations; none if
+/// the objective has no slopes there.
+///
+/// The curve is the mean of `breaths` [breaths][samples] m3, and breaths differ by more than the noise of
+/// their mean: each may have its own amplitude and shape. So the covariance is the sum of two. One is that of
+/// correlated noise. The other is that of clusters, sum of d d' / (B (B - 1)), in which d is how far a breath
+/// would move x if it were all that was measured. Intervals then have B - 1 degrees of freedom. (In our
+/// repeats this sum covers the truth in 92 to 100 %, and noise alone in 16 to 92 %.) With one breath there is
+/// the noise alone.
+std::optional<LocalFit> local_fit(Objective& objective, const Eigen::VectorXd& x,
+                                  const Eigen::VectorXd& residuals,
+                                  const std::vector<std::vector<double>>& breaths = {});
+
+/// Returns the covariance of x if the coordinate `held` is known; its row and column are 0.
+Eigen::MatrixXd covariance_with_held(const LocalFit& fit, Eigen::Index held);
 
 /// Local uncertainty at the best point.
 struct Uncertainty {

@@ -88,6 +88,13 @@ void add_parameter_options(CLI::App& command, FitRequest& r) {
       ->type_name("NAME")
       ->group(group)
       ->check(one_of({"joint", "trace", "scenario"}));
+  command
+      .add_option("--assume", r.assume,
+                  "Gives intervals that hold only if the activation is made of straight lines "
+                  "(straight-activation).")
+      ->type_name("NAME")
+      ->group(group)
+      ->check(one_of({"straight-activation"}));
   command.add_flag("--keep-timing", r.keep_timing, "Does the same as --timing scenario.")->group(group);
 }
 
@@ -114,8 +121,8 @@ void add_search_options(CLI::App& command, FitRequest& r) {
       ->group(group)
       ->check(whole_number(1, 1000000));
   command
-      .add_option("--starts", r.plan.estimation.starts,
-                  "Searches from this many places, which --seed spreads over the bounds. [1]")
+      .add_option("--starts", r.plan.starts,
+                  "Lets one compartment search from this many places, which --seed spreads. [12]")
       ->type_name("N")
       ->group(group)
       ->check(whole_number(1, 10000));
@@ -130,13 +137,10 @@ void add_interval_options(CLI::App& command, FitRequest& r) {
   command
       .add_option("--surface", r.surface,
                   "Computes the likelihood of two parameters at this many points along each. 0 computes "
-                  "none. [11, if "
-                  "it takes less than 10 s]")
+                  "none. [21]")
       ->type_name("N")
       ->group(group)
       ->check(whole_number(0, 200));
-  command.add_flag("--profiles", r.force_profiles, "Computes profiles even if they take longer than 10 s.")
-      ->group(group);
   command
       .add_option("--bootstrap", r.plan.estimation.bootstrap,
                   "Fits this many resampled traces (block bootstrap). 0 resamples none. [0]")

@@ -85,7 +85,7 @@ std::string fit_table(const SubjectFit& fit, const FitOutcome& outcome) {
   if (e.cross_check)
     text +=
         fmt::format("  {} and {} {} ({:.2g} % apart)\n", e.cross_check->first, e.cross_check->second,
-                    e.cross_check->agree ? "agree" : "DISAGREE", 100.0 * e.cross_check->largest_difference);
+                    e.cross_check->agree ? "agree" : "DISAGREE", 100.0 * e.cross_check->largest_difference());
   text += fmt::format("  {} evaluations{}, {} failed; {}\n", e.evaluations.size(),
                       outcome.replayed > 0 ? fmt::format(" ({} found from an interrupted run)",
                                                          e.evaluations.size() - e.simulated)

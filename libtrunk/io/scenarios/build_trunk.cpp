@@ -40,13 +40,16 @@ void require_memory(const ScenarioFile& file, const Trunk& trunk) {
 
 Trunk build_timed_trunk(ScenarioFile& file, double stiffer) {
   Trunk trunk = build_trunk(file);
-  Scenario& s = file.scenario;
-  if (s.automatic_step) {
-    s.step_choice = auto_time_step(trunk.model, s.parameters, s.activation, s.time, stiffer);
-    s.time = s.step_choice->grid;
-    s.automatic_step = false;
-  }
+  choose_time_step(file, trunk, stiffer);
   return trunk;
+}
+
+void choose_time_step(ScenarioFile& file, const Trunk& trunk, double stiffer) {
+  Scenario& s = file.scenario;
+  if (!s.automatic_step) return;
+  s.step_choice = auto_time_step(trunk.model, s.parameters, s.activation, s.time, stiffer);
+  s.time = s.step_choice->grid;
+  s.automatic_step = false;
 }
 
 }  // namespace trunk

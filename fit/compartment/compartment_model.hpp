@@ -1,0 +1,48 @@
+#pragma once
+
+#include "compartment/compartment_breath.hpp"
+#include "problem/measured_curve.hpp"
+#include "problem/volume_model.hpp"
+
+namespace trunk {
+
+/// How a trunk breathes as one compartment. Its volume follows that of a compartment to about 0.2 % of the
+/// tidal volume (see measure_recoil).
+struct TrunkAsCompartment {
+  double recoil = 0.0;   // time constant = recoil * damping / k_elasticity
+  double gain_m3 = 0.0;  // gain of the compartment = gain * k_muscle / k_elasticity
+  double held_m3 = 0.0;  // volume that full activation holds, per k_muscle / k_elasticity
+
+  double time_constant_s(const Parameters<double>& p) const { return recoil * p.damping / p.elasticity; }
+  Compartment of(const Parameters<double>& p) const {
+    return {time_constant_s(p), gain_m3 * p.muscle / p.elasticity};
+  }
+};
+
+/// One compartment that stands in for the trunk. It costs a thousandth of a simulation. What it misses at one
+/// candidate can be added everywhere, since it hardly changes nearby.
+class CompartmentModel final : public VolumeModel {
+ public:
+  /// All arguments must outlive the model. `measured` must hold times.
+  CompartmentModel(const TrunkAsCompartment& trunk, const TimeGrid& grid, const MeasuredCurve& measured)
+      : trunk_(trunk), grid_(grid), curve_(measured) {}
+
+  /// Makes the model exact at a candidate, at which the trunk has these volumes, [samples] m3.
+  void correct_at(const Candidate& candidate, const Eigen::VectorXd& volumes);
+
+  std::vector<LedgerEntry> at(const std::vector<Candidate>& candidates) override;
+  std::optional<LedgerEntry> slopes(const Candidate&, const std::vector<Candidate>&) override {
+    return std::nullopt;
+  }
+  bool is_simulation() const noexcept override { return false; }
+
+ private:
+  std::vector<double> plain(const Candidate& candidate) const;
+
+  const TrunkAsCompartment& trunk_;
+  const TimeGrid& grid_;
+  const MeasuredCurve& curve_;
+  std::vector<double> missed_;  // [samples] m3; empty: nothing
+};
+
+}  // namespace trunk

@@ -1,0 +1,92 @@
+#include "estimation/compartment_start.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "search/minimise.hpp"
+#include "search/multistart.hpp"
+
+namespace trunk {
+namespace {
+
+constexpr double usual_recoil_s = 0.35;  // our choice: where a search for it begins
+
+/// Returns how far starts are spread on either side of the first one, in coordinates (our choice).
+double spread_of(const FreeParameter& p) {
+  if (p.name == "k_elasticity" || p.name == "damping") return std::log(4.0);
+  if (p.name == "onset") return 1.5;  // 0.15 s
+  if (p.name == "rise") return std::log(1.5);
+  if (p.name == "fast_fall" || p.name == "slow_fall") return std::log(4.0);
+  if (p.name == "fast_fall_level") return std::log(2.0);
+  return 0.0;
+}
+
+/// Changes the ratio of k_muscle to k_elasticity until the compartment has the measured tidal volume.
+void meet_tidal_volume(Objective& compartment, Eigen::VectorXd& x) {
+  const auto muscle = compartment.space().find("k_muscle");
+  const auto curve = compartment.model(x);
+  if (!muscle || !curve || !(curve->maxCoeff() > 0.0)) return;
+  x[static_cast<Eigen::Index>(*muscle)] +=
+      std::log(compartment.measured_curve().tidal_volume() / curve->maxCoeff());
+  x = compartment.problem().inside(x);
+}
+
+std::vector<Eigen::VectorXd> starts_of(Objective& compartment, const Indices& free, int count,
+                                       unsigned seed) {
+  const SearchSpace& space = compartment.space();
+  const Eigen::VectorXd first = space.start();
+  Eigen::VectorXd low = first, high = first;
+  for (const Eigen::Index i : free) {
+    const double spread = spread_of(space.parameter(static_cast<std::size_t>(i)));
+    low[i] -= spread;
+    high[i] += spread;
+  }
+  const LeastSquares box{{}, low.cwiseMax(space.lower()), high.cwiseMin(space.upper())};
+  std::vector<Eigen::VectorXd> all =
+      sobol_starts(box, static_cast<std::size_t>(std::max(count - 1, 0)), seed);
+  all.insert(all.begin(), first);
+  for (Eigen::VectorXd& x : all) meet_tidal_volume(compartment, x);
+  return all;
+}
+
+/// Returns the candidate with the k_elasticity at which searches begin.
+Candidate with_recoil(Candidate begin, const CompartmentFit& fit) {
+  const FreeParameter& p = free_parameter("k_elasticity");
+  const double recoil_s = fit.recoil_s.value_or(usual_recoil_s);
+  const double before = begin.parameters.elasticity;
+  begin.parameters.elasticity =
+      std::clamp(fit.compartment.recoil * begin.parameters.damping / recoil_s, p.lower, p.upper);
+  begin.parameters.muscle *= begin.parameters.elasticity / before;
+  return begin;
+}
+
+}  // namespace
+
+std::vector<LocalSearch> compartment_searches(const CompartmentFit& fit, const Candidate& begin) {
+  const bool recoils = std::count(fit.names.begin(), fit.names.end(), "k_elasticity") > 0;
+  const SearchSpace space(
+      fit.names, recoils && (fit.recoil_s || fit.begin_at_usual_recoil) ? with_recoil(begin, fit) : begin,
+      fit.beside, fit.priors);
+  CompartmentModel model(fit.compartment, fit.grid, fit.measured);
+  Objective objective(model, fit.grid, space, fit.measured, fit.knowledge);
+  const LeastSquares problem = objective.problem();
+  Indices held;
+  if (recoils && fit.recoil_s) held.push_back(static_cast<Eigen::Index>(*space.find("k_elasticity")));
+  const Indices free = all_but(held, space.size());
+  SearchOptions options;
+  options.objective_tolerance = 1e-6;
+  options.max_evaluations = 150;
+  std::vector<LocalSearch> searches;
+  for (const Eigen::VectorXd& start : starts_of(objective, free, fit.starts, fit.seed)) {
+    Eigen::VectorXd to = start;
+    SearchResult found{true, start(free), problem.at(start).objective, "", 1};
+    if (!free.empty()) found = levenberg_marquardt(with_fixed(problem, start, free), start(free), options);
+    to(free) = found.best;
+    searches.push_back({space.decode(start), space.decode(to), found.objective, found.converged});
+  }
+  std::stable_sort(searches.begin(), searches.end(),
+                   [](const LocalSearch& a, const LocalSearch& b) { return a.objective < b.objective; });
+  return searches;
+}
+
+}  // namespace trunk

@@ -1,0 +1,179 @@
+#include "estimation/search_breath.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "linear_algebra/decompositions.hpp"
+
+namespace trunk {
+namespace {
+
+constexpr double close_enough = 1e-3;  // in coordinates, between two methods
+
+/// Returns the step of Gauss and Newton within the bounds, with slopes from differences; none if a simulation
+/// fails.
+std::optional<Eigen::VectorXd> gauss_newton_step(const LeastSquares& problem, const Eigen::VectorXd& from) {
+  const double difference = 0.01;
+  const Outcome here = problem.at(from);
+  const Slopes slopes = jacobian(problem, from, difference);
+  if (!here.residuals || !slopes) return std::nullopt;
+  return problem.inside(from - pseudo_inverse(*slopes) * *here.residuals) - from;
+}
+
+class BreathSearch {
+ public:
+  BreathSearch(Objective& trunk, Objective& compartment, CompartmentModel& model,
+               const Parameters<double>& begin, const EstimationOptions& options, Estimation& e)
+      : trunk_(trunk), compartment_(compartment), model_(model), begin_(begin), options_(options), e_(e) {}
+
+  void run() {
+    adopt(corrected(trunk_.space().start()));
+    if (!e_.search.converged) fall_back();
+    if (e_.search.converged) search_trunk();
+    if (options_.loss == Loss::squares || !e_.search.converged) return;
+    use_robust_loss();
+    adopt(corrected(e_.search.best));
+    search_trunk();
+  }
+
+ private:
+  /// Corrects the compartment by the trunk and searches it again, until the trunk's objective stays as it is.
+  /// It fails only if the trunk does: the search that follows does not depend on how near this one came.
+  SearchResult corrected(Eigen::VectorXd x) {
+    constexpr int most_rounds = 4;
+    SearchResult result{false, x, 0.0, "the trunk fails where the compartment is best", 0};
+    for (int round = 0; round < most_rounds; ++round) {
+      const Outcome here = trunk_.problem().at(x);
+      ++result.evaluations;
+      if (!here.residuals) break;
+      const double before = result.objective;
+      if (round == 0 || here.objective < before) {
+        result.best = x;
+        result.objective = here.objective;
+        result.converged = true;
+      }
+      if (round > 0 && std::abs(here.objective - before) < 1e-3 * before) break;
+      model_.correct_at(trunk_.space().decode(x), *trunk_.model(x));
+      x = best_nuisance(compartment_.problem(), x, {});
+    }
+    correct_compartment(result.best);
+    return result;
+  }
+
+  void correct_compartment(const Eigen::VectorXd& x) {
+    if (const auto volumes = trunk_.model(x)) model_.correct_at(trunk_.space().decode(x), *volumes);
+  }
+
+  /// Searches the trunk alone, with slopes from differences: its volume does not follow one compartment.
+  void fall_back() {
+    LeastSquares problem = trunk_.problem();
+    problem.exact_slopes = nullptr;
+    SearchOptions options = options_.search;
+    options.objective_tolerance = std::max(options.objective_tolerance, 1e-5);
+    options.max_evaluations *= 1 + static_cast<int>(trunk_.space().size()) / 2;
+    adopt(levenberg_marquardt(problem, start_at_tidal_volume(trunk_, trunk_.space().start()), options));
+    correct_compartment(e_.search.best);
+  }
+
+  /// Searches the mechanical parameters asked for on the trunk; the others move along.
+  void search_trunk() {
+    const Indices some = mechanical_asked_for(trunk_.space());
+    if (some.empty()) return;
+    const bool by_default = options_.search.algorithm.empty();
+    SearchOptions options = options_.search;
+    options.algorithm = e_.algorithm;
+    options.coordinate_tolerance = std::max(options.coordinate_tolerance, 1e-4);
+    WithoutNuisance posterior(trunk_, compartment_, e_.search.best, some);
+    const LeastSquares problem = posterior.problem();
+    Eigen::VectorXd from = (by_default ? e_.search.best : asked_begin())(some);
+    if (by_default) {  // the compartment is near, and a Gauss-Newton step gets nearer
+      if (const auto step = gauss_newton_step(problem, from)) from += *step;
+      options.first_step = 0.005;
+    }
+    SearchResult found = minimise(problem, from, options);
+    finish(problem, found.best);
+    found.evaluations += e_.search.evaluations;
+    found.best = posterior.completed(found.best);
+    found.objective = trunk_.problem().at(found.best).objective;
+    e_.search = std::move(found);
+    correct_compartment(e_.search.best);
+  }
+
+  /// Returns the stiffness at which a search begins that is asked for by name. All else is the compartment's
+  /// best there, so that the search begins at the measured tidal volume.
+  Eigen::VectorXd asked_begin() {
+    const SearchSpace& space = trunk_.space();
+    const auto elasticity = space.find("k_elasticity");
+    if (!elasticity) return e_.search.best;
+    Eigen::VectorXd begin = e_.search.best;
+    const auto held = static_cast<Eigen::Index>(*elasticity);
+    begin[held] = std::log(begin_.elasticity);
+    return best_nuisance(compartment_.problem(), compartment_.problem().inside(begin), {held});
+  }
+
+  /// Compares the end of a search with where a Gauss-Newton step would go from there, and goes there if it is
+  /// near. => end, e_.cross_check
+  void finish(const LeastSquares& problem, Eigen::VectorXd& end) {
+    constexpr double near = 0.05;
+    const auto apart = gauss_newton_step(problem, end);
+    if (!apart) return;
+    const double largest = apart->cwiseAbs().maxCoeff();
+    e_.cross_check = {e_.algorithm, "Gauss-Newton", *apart, largest <= close_enough};
+    if (largest < near) end += *apart;
+  }
+
+  void use_robust_loss() {
+    const Eigen::VectorXd residuals =
+        (*trunk_.model(e_.search.best) - trunk_.measured()).cwiseQuotient(trunk_.deviation());
+    const double scale = std::max(median_deviation(residuals), 1e-9);
+    trunk_.use_loss(options_.loss, scale);
+    compartment_.use_loss(options_.loss, scale);
+  }
+
+  void adopt(SearchResult found) {
+    found.evaluations += e_.search.evaluations;
+    e_.search = std::move(found);
+  }
+
+  Objective &trunk_, &compartment_;
+  CompartmentModel& model_;
+  const Parameters<double>& begin_;
+  const EstimationOptions& options_;
+  Estimation& e_;
+};
+
+}  // namespace
+
+Indices mechanical_asked_for(const SearchSpace& space) {
+  Indices indices;
+  for (std::size_t i = 0; i < space.asked_for(); ++i)
+    if (space.parameter(i).group == FreeParameter::Group::mechanics)
+      indices.push_back(static_cast<Eigen::Index>(i));
+  return indices;
+}
+
+void search_breath(Objective& trunk, Objective& compartment, CompartmentModel& model,
+                   const Parameters<double>& begin, const EstimationOptions& options, Estimation& e) {
+  BreathSearch(trunk, compartment, model, begin, options, e).run();
+}
+
+Eigen::VectorXd start_at_tidal_volume(Objective& objective, const Eigen::VectorXd& start) {
+  const SearchSpace& space = objective.space();
+  const auto muscle = space.find("k_muscle");
+  const double measured = objective.measured_curve().tidal_volume();
+  if (!muscle || measured <= 0.0) return start;
+  const auto ratio = static_cast<Eigen::Index>(*muscle);
+  const double lowest = space.lower()[ratio], highest = space.upper()[ratio];
+  Eigen::VectorXd x = start;
+  for (int steps = 0; steps < 8; ++steps) {
+    const auto curve = objective.model(x);
+    const double model =
+        curve ? curve->maxCoeff() : 4.0 * measured;  // it failed, so the muscle is far too strong
+    if (std::abs(model / measured - 1.0) < 0.02) return x;
+    // The volume is about proportional to the ratio.
+    x[ratio] = std::clamp(x[ratio] + std::log(measured / std::max(model, 0.02 * measured)), lowest, highest);
+  }
+  return x;
+}
+
+}  // namespace trunk

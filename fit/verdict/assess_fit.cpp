@@ -1,0 +1,319 @@
+#include "verdict/assess_fit.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "anatomy/breath_run.hpp"
+#include "math/units.hpp"
+#include "verdict/sentences.hpp"
+#include "verdict/spread.hpp"
+
+namespace trunk {
+namespace {
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+constexpr double unlimited = std::numeric_limits<double>::infinity();
+constexpr double normal_quantile = 1.96;
+
+/// A reading at the best point and at both ends of the interval of the recoil time, and its statistical
+/// deviation there.
+struct Readings {
+  double best = unknown, low_recoil = unknown, high_recoil = unknown;
+  double deviation = 0.0;  // of the logarithm if `factor`
+  bool factor = true;      // the number is positive and its interval is a factor
+};
+
+class Assessment {
+ public:
+  explicit Assessment(const FitEvidence& evidence)
+      : in_(evidence), p_(evidence.problem), e_(evidence.estimation), space_(p_.space) {}
+
+  FitResults run() {
+    results_.gates = in_.gates;
+    results_.straight = in_.straight_lines;
+    if (e_.search.converged && e_.local) {
+      find_points();
+      simulate_points();
+      add_parameters();
+      add_measures();
+    }
+    withhold();
+    results_.grade = worst();
+    results_.verdict = verdict_sentence(results_, in_);
+    return std::move(results_);
+  }
+
+ private:
+  /// Fits all else again at both ends of the recoil time. => low_, high_, quantile_, covariance_
+  void find_points() {
+    best_ = space_.decode(e_.local->x);
+    low_ = high_ = best_;
+    covariance_ = e_.local->covariance;
+    quantile_ = t_quantile(e_.local->freedom);
+    const auto elasticity = space_.find("k_elasticity");
+    if (!in_.energy_known || !elasticity) return;
+    recoil_ = recoil_time(*in_.breath);
+    const auto held = static_cast<Eigen::Index>(*elasticity);
+    covariance_ = covariance_with_held(*e_.local, held);
+    low_ = fitted_at(recoil_->lower95_s, held);
+    high_ =
+        fitted_at(std::isfinite(recoil_->upper95_s) ? recoil_->upper95_s : 3.0 * recoil_->lower95_s, held);
+  }
+
+  Candidate fitted_at(double recoil_s, Eigen::Index held) {
+    CompartmentModel model(p_.compartment, p_.grid, p_.measured);
+    model.correct_at(best_, e_.model);
+    Objective objective(model, p_.grid, space_, p_.measured, p_.knowledge);
+    Eigen::VectorXd x = e_.local->x;
+    x[held] = std::log(p_.compartment.recoil * best_.parameters.damping / recoil_s);
+    x = objective.problem().inside(x);
+    return space_.decode(best_nuisance(objective.problem(), x, {held}));
+  }
+
+  /// => summaries_: best point, both ends of the recoil time, 5 % more muscle
+  void simulate_points() {
+    Candidate stronger = best_;
+    stronger.parameters.muscle *= more_muscle;
+    const std::vector<Candidate> all = {best_, low_, high_, stronger};
+    summaries_ = summarise_breaths(p_.trunk, all, p_.grid);
+  }
+
+  Readings read(const Reading& reading, bool factor = true) const {
+    Readings r{reading(best_), reading(low_), reading(high_), 0.0, factor};
+    const Reading scaled = [&](const Candidate& c) { return factor ? std::log(reading(c)) : reading(c); };
+    r.deviation = deviation_of(gradient_of(scaled, space_, e_.local->x), covariance_);
+    return r;
+  }
+
+  /// Returns the interval: the spread of breaths and noise, and what the recoil time changes, as the root of
+  /// the sum of squares. `gain` adds the error of the volume's gain.
+  FitResult result(const char* name, const char* unit, const Readings& r, bool gain) const {
+    FitResult out{name, unit, r.best, unknown, unknown, Grade::assumption};
+    const double error = gain ? in_.gain_error * (r.factor ? 1.0 : std::abs(r.best)) : 0.0;
+    const double spread = std::hypot(quantile_ * r.deviation, normal_quantile * error);
+    const auto of = [&](double v) { return r.factor ? std::log(v) : v; };
+    const auto back = [&](double v) { return r.factor ? std::exp(v) : v; };
+    const double below = of(r.best) - std::min({of(r.best), of(r.low_recoil), of(r.high_recoil)});
+    const double above = std::max({of(r.best), of(r.low_recoil), of(r.high_recoil)}) - of(r.best);
+    out.lower95 = back(of(r.best) - std::hypot(spread, below));
+    out.upper95 = back(of(r.best) + std::hypot(spread, above));
+    out.meaning = meaning_of(name);
+    return out;
+  }
+
+  void add_parameters() {
+    const auto& c = p_.compartment;
+    const bool ratio_free = space_.find("k_muscle") || space_.find("k_elasticity");
+    const std::string course = course_reason();
+    const Reading r_ei = [&](const Candidate& x) {
+      return muscle_against_recoil(c, x, p_.grid, p_.measured);
+    };
+    FitResult inspiration = result("r_ei", "1", read(r_ei), true);
+    grade_inspiration(inspiration);
+    add(std::move(inspiration));
+    FitResult recoil = recoil_result();
+    set_reason(recoil, course);
+    add(std::move(recoil));
+    if (!ratio_free) return;
+    const std::string shape = shape_assumption();
+    FitResult ratio =
+        result("k_muscle_over_k_elasticity", "1",
+               read([](const Candidate& x) { return x.parameters.muscle / x.parameters.elasticity; }), true);
+    ratio.assumption = shape;
+    set_reason(ratio, course);
+    add(std::move(ratio));
+    for (const bool muscle : {false, true}) add_stiffness(muscle, course);
+  }
+
+  void add_stiffness(bool muscle, const std::string& course) {
+    const char* name = muscle ? "k_muscle" : "k_elasticity";
+    if (!space_.find(name)) return;
+    FitResult stiffness = result(name, "N/m", read([&](const Candidate& x) {
+                                   return muscle ? x.parameters.muscle : x.parameters.elasticity;
+                                 }),
+                                 muscle);
+    if (!muscle && recoil_) {  // the ends of the recoil time, not of the candidates: a bound may stop those
+      const double scale = p_.compartment.recoil * best_.parameters.damping;
+      stiffness.lower95 = scale / recoil_->upper95_s;
+      stiffness.upper95 = scale / recoil_->lower95_s;
+    }
+    const bool damped = static_cast<bool>(space_.find("damping"));
+    stiffness.assumption = fmt::format("a damping of {:g} N s/m, which no volume can tell{}",
+                                       best_.parameters.damping, "; " + shape_assumption());
+    set_reason(stiffness, damped ? "the damping is free, and volume gives no scale of forces" : course);
+    add(std::move(stiffness));
+  }
+
+  FitResult recoil_result() const {
+    FitResult r =
+        result("recoil_time_s", "s",
+               read([&](const Candidate& x) { return p_.compartment.time_constant_s(x.parameters); }), false);
+    if (recoil_) {
+      r.lower95 = recoil_->lower95_s;
+      r.upper95 = recoil_->upper95_s;
+    }
+    r.assumption = shape_assumption();
+    return r;
+  }
+
+  std::string shape_assumption() const {
+    if (in_.straight) return "the activation is made of straight lines";
+    if (in_.energy_known) return "the airway takes about 40 % (18 to 87 %) of the energy that recoil stores";
+    return space_.find("k_elasticity") ? "the course of the activation is as given"
+                                       : "k_elasticity is as given";
+  }
+
+  void add_measures() {
+    if (!summaries_.front().ending.completed()) return;
+    const auto& m = summaries_;
+    const Reading volume = [&](const Candidate& x) {
+      return std::log(tidal_volume(p_.compartment, x, p_.grid, p_.measured));
+    };
+    const double volume_deviation = deviation_of(gradient_of(volume, space_, e_.local->x), covariance_);
+    const auto measure = [&](const char* name, const char* unit, double scale, auto member) {
+      const auto at = [&](std::size_t i) {
+        return m[i].ending.completed() ? scale * member(m[i].measures) : unknown;
+      };
+      const double by_volume = (at(3) - at(0)) / std::log(m[3].measures.delta_v / m[0].measures.delta_v);
+      Readings r{at(0), at(1), at(2), std::abs(by_volume) * volume_deviation, false};
+      FitResult out = result(name, unit, r, false);
+      const double gain = normal_quantile * in_.gain_error * std::abs(by_volume);
+      out.lower95 = out.value - std::hypot(out.value - out.lower95, gain);
+      out.upper95 = out.value + std::hypot(out.upper95 - out.value, gain);
+      out.assumption = "the subject's trunk has the shape of the model's";
+      add(std::move(out));
+    };
+    measure("excursion_right_mm", "mm", mm_per_m, [](const Measures& x) { return x.excursion_right; });
+    measure("excursion_left_mm", "mm", mm_per_m, [](const Measures& x) { return x.excursion_left; });
+    measure("delta_l_mm", "mm", mm_per_m, [](const Measures& x) { return x.delta_l; });
+    measure("delta_h_mm", "mm", mm_per_m, [](const Measures& x) { return x.delta_h; });
+    FitResult above = result("end_expiratory_above_relaxation_ml", "ml",
+                             read(
+                                 [&](const Candidate& x) {
+                                   return ml_per_m3 * compartment_breath(p_.compartment.of(x.parameters),
+                                                                         x.activation, p_.grid, {})
+                                                          .above_relaxation_m3;
+                                 },
+                                 false),
+                             true);
+    above.lower95 = std::max(above.lower95, 0.0);
+    above.assumption = shape_assumption();
+    set_reason(above, course_reason());
+    add(std::move(above));
+  }
+
+  /// Determined: the end of expiration is at rest, five breaths or more, and 10 % or less.
+  void grade_inspiration(FitResult& r) const {
+    const std::string few = few_breaths();
+    if (!few.empty()) return set_reason(r, few);
+    const double half_width = std::max(r.upper95 / r.value, r.value / r.lower95) - 1.0;
+    const RecoilTime recoil = in_.breath ? recoil_time(*in_.breath) : RecoilTime{};
+    const bool rests = recoil.late_share < 0.1;
+    if (rests && in_.breath && in_.breath->breaths_used >= 5 && half_width <= 0.10)
+      r.grade = Grade::determined;
+    else
+      r.assumption = rests ? "more breaths would be like these"
+                           : "the recoil time is as given below, since expiration does not end at rest";
+  }
+
+  std::string few_breaths() const {
+    const int used = in_.breath ? in_.breath->breaths_used : 0;
+    if (used >= 3) return "";
+    return used == 1 ? "one breath shows no spread" : fmt::format("{} breaths show too little spread", used);
+  }
+
+  /// Returns why nothing that goes with the recoil time is determined; or "".
+  std::string course_reason() const {
+    if (const std::string few = few_breaths(); !few.empty()) return few;
+    if (in_.energy_known && recoil_ && !recoil_->has_upper_limit)
+      return "expiration does not slow down before it ends, so no recoil time is too long";
+    if (const std::string bound = at_bound(); !bound.empty()) return bound + " stopped at its bound";
+    if (in_.energy_known) return "";
+    if (const std::string two = two_optima(); !two.empty()) return two;
+    return energy_reason();
+  }
+
+  std::string at_bound() const {
+    for (const std::vector<Estimate>* list : {&e_.uncertainty->parameters, &e_.uncertainty->beside})
+      for (const Estimate& estimate : *list)
+        if (estimate.at_bound && !estimate.name.starts_with("shape_")) return estimate.name;
+    return "";
+  }
+
+  /// Other optima that fit as well, at another recoil time.
+  std::string two_optima() const {
+    for (const LocalSearch& s : in_.optima) {
+      const double first = p_.compartment.time_constant_s(in_.optima.front().to.parameters),
+                   other = p_.compartment.time_constant_s(s.to.parameters);
+      if (s.objective <= 1.05 * in_.optima.front().objective && std::abs(std::log(other / first)) > 0.2)
+        return fmt::format("recoil times of {:.2g} s and {:.2g} s fit equally well", first, other);
+    }
+    return "";
+  }
+
+  std::string energy_reason() const {
+    if (!in_.breath || !space_.find("k_elasticity")) return "";
+    const double share =
+        resistive_share(expired_energy(*in_.breath), p_.compartment.time_constant_s(best_.parameters));
+    if (share >= share_limits95().low && share <= 1.0) return "";
+    return fmt::format(
+        "it lets the airway take {:.0f} % of the energy that recoil stores; 18 to 100 % is plausible",
+        100.0 * share);
+  }
+
+  static void set_reason(FitResult& r, const std::string& reason) {
+    if (reason.empty()) return;
+    r.grade = Grade::not_determined;
+    r.reason = reason;
+  }
+
+  void add(FitResult r) { results_.results.push_back(std::move(r)); }
+
+  /// A gate withholds all that a muscle and a recoil explain.
+  void withhold() {
+    for (const char* name : {"r_ei", "recoil_time_s", "k_muscle_over_k_elasticity", "k_elasticity",
+                             "k_muscle", "excursion_right_mm", "excursion_left_mm", "delta_l_mm"})
+      if (results_.find(name)) results_.headline.emplace_back(name);
+    if (results_.gates.empty()) return;
+    const auto muscular = [](const std::string& name) { return !name.ends_with("_mm"); };
+    for (std::vector<FitResult>* list :
+         {&results_.results, results_.straight ? &results_.straight->results : nullptr})
+      if (list != nullptr)
+        for (FitResult& r : *list) {
+          if (muscular(r.name)) r.value = r.lower95 = r.upper95 = unknown;
+          set_reason(r, results_.gates.front().sentence);
+        }
+  }
+
+  Grade worst() const {
+    if (!e_.search.converged) return Grade::not_converged;
+    if (e_.cross_check && !e_.cross_check->agree) return Grade::not_converged;
+    Grade grade = Grade::determined;
+    for (const std::string& name : results_.headline) grade = std::max(grade, results_.find(name)->grade);
+    return results_.headline.empty() || !results_.gates.empty() ? Grade::not_determined : grade;
+  }
+
+  static constexpr double more_muscle = 1.05;
+
+  const FitEvidence& in_;
+  const FitProblem& p_;
+  const Estimation& e_;
+  const SearchSpace& space_;
+  FitResults results_;
+  Candidate best_, low_, high_;  // high_ has the longest recoil time
+  std::optional<RecoilTime> recoil_;
+  Eigen::MatrixXd covariance_;
+  double quantile_ = 0.0;
+  std::vector<BreathSummary> summaries_;
+};
+
+}  // namespace
+
+FitResults assess_fit(const FitEvidence& evidence) {
+  return Assessment(evidence).run();
+}
+
+}  // namespace trunk

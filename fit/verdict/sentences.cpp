@@ -1,0 +1,77 @@
+#include "verdict/sentences.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+
+namespace trunk {
+namespace {
+
+struct Meaning {
+  std::string_view name, text;
+};
+
+constexpr std::array meanings = {
+    Meaning{"r_ei", "how strongly the muscle pulls against the recoil at the end of inspiration"},
+    Meaning{"recoil_time_s", "the time in which a relaxed trunk loses 63 % of its volume"},
+    Meaning{"k_muscle_over_k_elasticity", "the stiffness of a fully active fibre over that of the tissue"},
+    Meaning{"k_elasticity", "the stiffness of the tissue, for the damping that is assumed"},
+    Meaning{"k_muscle", "the stiffness of a fully active fibre, for the damping that is assumed"},
+    Meaning{"excursion_right_mm", "how far the right dome descends"},
+    Meaning{"excursion_left_mm", "how far the left dome descends"},
+    Meaning{"delta_l_mm", "how much the zone of apposition shortens"},
+    Meaning{"delta_h_mm", "how much the dome flattens"},
+    Meaning{"end_expiratory_above_relaxation_ml",
+            "the volume that has not left the lung when the next breath begins"}};
+
+/// Returns what a reader might do about a grade.
+std::string advice(const FitResults& results) {
+  const FitResult* recoil = results.find("recoil_time_s");
+  if (!results.gates.empty() || recoil == nullptr) return "";
+  if (recoil->grade == Grade::not_determined)
+    return " A longer expiration, a pause before the next breath, or more breaths would help.";
+  return " A measured pressure would replace the assumption.";
+}
+
+}  // namespace
+
+std::string meaning_of(std::string_view result) {
+  for (const Meaning& m : meanings)
+    if (m.name == result) return std::string(m.text);
+  return "";
+}
+
+std::string value_text(const FitResult& r) {
+  if (!std::isfinite(r.value)) return "withheld";
+  const std::string unit = r.unit == "1" ? "" : " " + r.unit;
+  if (!std::isfinite(r.lower95) && !std::isfinite(r.upper95)) return fmt::format("{:.3g}{}", r.value, unit);
+  if (!std::isfinite(r.upper95))
+    return fmt::format("{:.3g}{} (at least {:.3g}{})", r.value, unit, r.lower95, unit);
+  return fmt::format("{:.3g}{} ({:.3g} to {:.3g})", r.value, unit, r.lower95, r.upper95);
+}
+
+std::string verdict_sentence(const FitResults& results, const FitEvidence& evidence) {
+  if (results.grade == Grade::not_converged)
+    return "The search did not end, so no result can be trusted. Other starts (--starts 30) or another "
+           "algorithm may help.";
+  if (!results.gates.empty()) return results.gates.front().sentence;
+  const FitResult* recoil = results.find("recoil_time_s");
+  const FitResult* inspiration = results.find("r_ei");
+  if (recoil == nullptr || inspiration == nullptr) return "";
+  std::string text;
+  if (inspiration->grade == Grade::determined)
+    text = fmt::format("This trace determines the muscle against the recoil at the end of inspiration, {}.",
+                       value_text(*inspiration));
+  else if (inspiration->grade == Grade::not_determined)
+    text = fmt::format("This trace determines nothing: {}.", inspiration->reason);
+  else
+    text = "A volume trace alone determines no parameter of this breath.";
+  if (recoil->grade == Grade::not_determined && recoil->reason != inspiration->reason)
+    text += fmt::format(" The recoil time and all that goes with it are not determined: {}.", recoil->reason);
+  else if (recoil->grade == Grade::assumption)
+    text += fmt::format(" If {}, the recoil time is {}.", recoil->assumption, value_text(*recoil));
+  return text + advice(results) + caveat(evidence.estimation.quality);
+}
+
+}  // namespace trunk

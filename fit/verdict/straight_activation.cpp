@@ -1,0 +1,62 @@
+#include "verdict/straight_activation.hpp"
+
+#include <cmath>
+
+#include "verdict/spread.hpp"
+
+namespace trunk {
+namespace {
+
+bool is_shape(const std::string& name) {
+  return free_parameter(name).group == FreeParameter::Group::shape;
+}
+
+FitResult result_of(const Estimate& e, const char* name) {
+  FitResult r{name, e.unit, e.value, e.lower95, e.upper95, Grade::assumption};
+  r.assumption = "the activation is made of straight lines";
+  return r;
+}
+
+}  // namespace
+
+StraightActivation straight_activation(CompartmentFit fit, const Candidate& begin,
+                                       const std::vector<std::vector<double>>& breaths) {
+  std::erase_if(fit.names, is_shape);
+  std::erase_if(fit.beside, is_shape);
+  std::erase_if(fit.priors, [](const Prior& p) { return is_shape(p.name); });
+  fit.knowledge = {};
+  fit.recoil_s = {};
+  const Candidate best = compartment_searches(fit, begin).front().to;
+  const SearchSpace space(fit.names, best, fit.beside, fit.priors);
+  CompartmentModel model(fit.compartment, fit.grid, fit.measured);
+  Objective objective(model, fit.grid, space, fit.measured);
+  SearchOptions options;
+  options.max_evaluations = 200;
+  const SearchResult found = levenberg_marquardt(objective.problem(), space.start(), options);
+  const Eigen::VectorXd residual_m3 = *objective.model(found.best) - objective.measured();
+
+  StraightActivation straight;
+  straight.nrmse = std::sqrt(residual_m3.squaredNorm() / static_cast<double>(residual_m3.size())) /
+                   fit.measured.tidal_volume();
+  const auto local =
+      local_fit(objective, found.best, residual_m3.cwiseQuotient(objective.deviation()), breaths);
+  if (!local) return straight;
+  const Uncertainty u = assess(objective, *local);
+  for (const Estimate& e : u.parameters)
+    if (e.name == "k_elasticity") {
+      const double scale = fit.compartment.recoil * space.decode(found.best).parameters.damping;
+      FitResult recoil = result_of(e, "recoil_time_s");
+      recoil.unit = "s";
+      recoil.value = scale / e.value;
+      recoil.lower95 = scale / e.upper95;
+      recoil.upper95 = scale / e.lower95;
+      straight.results.push_back(recoil);
+    }
+  if (!u.ratio.name.empty()) straight.results.push_back(result_of(u.ratio, "k_muscle_over_k_elasticity"));
+  for (const Estimate& e : u.parameters)
+    if (e.name == "k_elasticity" || e.name == "k_muscle")
+      straight.results.push_back(result_of(e, e.name.c_str()));
+  return straight;
+}
+
+}  // namespace trunk
