@@ -55,7 +55,7 @@ Candidate with_recoil(Candidate begin, const CompartmentFit& fit) {
   const double recoil_s = fit.recoil_s.value_or(usual_recoil_s);
   const double before = begin.parameters.elasticity;
   begin.parameters.elasticity =
-      std::clamp(fit.compartment.recoil * begin.parameters.damping / recoil_s, p.lower, p.upper);
+      std::clamp(fit.compartment.relaxation * begin.parameters.damping / recoil_s, p.lower, p.upper);
   begin.parameters.muscle *= begin.parameters.elasticity / before;
   return begin;
 }

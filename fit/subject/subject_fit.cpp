@@ -50,12 +50,6 @@ Screening screened(const Measurement& measurement, double end_expiratory_m3) {
   return screening;
 }
 
-/// Whether an option of this run set a key, and not a file.
-bool set_by_option(const ScenarioFile& file, const std::string& key) {
-  const auto at = file.origin.find(key);
-  return at != file.origin.end() && at->second.file.starts_with("--set");
-}
-
 bool is_shape(const std::string& name) {
   return free_parameter(name).group == FreeParameter::Group::shape;
 }
@@ -76,7 +70,7 @@ SubjectFit::SubjectFit(ScenarioFile file, Measurement measurement, FitPlan plan)
     : file_(std::move(file)), measurement_(std::move(measurement)), plan_(std::move(plan)) {
   Draft draft = drafted();
   Scenario& scenario = file_.scenario;
-  if (!set_by_option(file_, "time.start")) scenario.time.start = Start::periodic;
+  if (!file_.settings.contains("time.start")) scenario.time.start = Start::periodic;
   if (measurement_.breath) {
     measured_curve_ = measured_curve_of(*measurement_.breath, plan_.weighted);
     scenario.time.duration_s = measurement_.breath->duration_s;
@@ -118,7 +112,10 @@ void SubjectFit::begin_with_compartment(const Draft& draft) {
   Scenario& scenario = file_.scenario;
   const Candidate begin{scenario.parameters, scenario.activation};
   const Recoil recoil = measure_recoil(trunk_.model, scenario.parameters);
-  compartment_ = {recoil.time_factor, recoil.gain, recoil.gain};
+  // A trunk of which one side is paralysed has no recoil time: its domes sway for longer than its volume lasts.
+  const double usual = 25.0;
+  const double relaxation = TrunkAsCompartment::between * (recoil.time_factor > 0.0 ? recoil.time_factor : usual);
+  compartment_ = {relaxation, recoil.gain, recoil.gain, relaxation};
   CompartmentFit fit{compartment_, scenario.time, measured_curve_, draft.names, draft.beside, plan_.priors};
   fit.starts = plan_.starts;
   fit.seed = plan_.estimation.search.seed;
@@ -127,7 +124,7 @@ void SubjectFit::begin_with_compartment(const Draft& draft) {
   if (shaped && draft.has("k_elasticity")) {
     const ExpiredEnergy energy = expired_energy(*measurement_.breath);
     knowledge_ = [energy, this](const Candidate& c) {
-      return energy_residual(energy, std::log(compartment_.time_constant_s(c.parameters))).z;
+      return energy_residual(energy, std::log(compartment_.recoil_time_s(c.parameters))).z;
     };
     fit.knowledge = knowledge_;
     fit.recoil_s = usable_recoil_s(recoil_time(*measurement_.breath));
@@ -140,8 +137,8 @@ void SubjectFit::begin_with_compartment(const Draft& draft) {
   scenario.activation = searches_.front().to.activation;
 }
 
-/// Makes the compartment follow the trunk over this breath as well as one compartment can, and begins at the
-/// stiffness that gives the trunk the recoil time found. => compartment_, the scenario's parameters
+/// Makes the compartment follow the trunk over this breath as well as one compartment can.
+/// => compartment_, k_muscle
 void SubjectFit::calibrate_compartment(const Draft& draft) {
   Scenario& scenario = file_.scenario;
   Parameters<double>& p = scenario.parameters;
@@ -163,11 +160,9 @@ void SubjectFit::calibrate_compartment(const Draft& draft) {
     return std::clamp(value, free_parameter(name).lower, free_parameter(name).upper);
   };
   const double ratio = p.muscle / p.elasticity;
-  if (draft.has("k_elasticity"))
-    p.elasticity = within("k_elasticity", p.elasticity * recoil / compartment_.recoil);
-  if (draft.has("k_muscle"))
-    p.muscle = within("k_muscle", ratio * p.elasticity * compartment_.gain_m3 / gain);
-  compartment_ = {recoil, gain, compartment_.held_m3};
+  if (draft.has("k_muscle")) p.muscle = within("k_muscle", ratio * p.elasticity * compartment_.gain_m3 / gain);
+  compartment_.recoil = recoil;
+  compartment_.gain_m3 = gain;
 }
 
 FitProblem SubjectFit::problem() const {

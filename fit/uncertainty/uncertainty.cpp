@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "linear_algebra/decompositions.hpp"
-#include "uncertainty/verdict.hpp"
 
 namespace trunk {
 namespace {
@@ -180,7 +179,6 @@ Uncertainty assess(const Objective& objective, const LocalFit& fit) {
 void conclude(Uncertainty& u) {
   u.identifiable =
       std::all_of(u.parameters.begin(), u.parameters.end(), [](const Estimate& e) { return e.identifiable; });
-  u.verdict = verdict_of(u);
 }
 
 Uncertainty without_uncertainty(const Objective& objective, const Eigen::VectorXd& x) {
@@ -199,9 +197,6 @@ Uncertainty without_uncertainty(const Objective& objective, const Eigen::VectorX
   u.residual_autocorrelation = u.noise_autocorrelation = u.condition_number = unknown;
   const auto n = static_cast<Eigen::Index>(space.asked_for());
   u.log_covariance = u.correlation = Eigen::MatrixXd::Constant(n, n, unknown);
-  u.verdict =
-      "One measured number gives an exact solution: no uncertainty can be given, and only the ratio "
-      "k_muscle/k_elasticity is determined.";
   return u;
 }
 

@@ -75,13 +75,12 @@ struct Uncertainty {
   double sigma_m3 = 0.0;                  // deviation of that noise
   double freedom = 0.0;                   // degrees of freedom of the intervals
   bool identifiable = false;
-  std::string verdict;
 };
 
-/// Concludes from the estimates whether all are identifiable. (parameters, ratio) => identifiable, verdict
+/// Concludes from the estimates whether all are identifiable. (parameters, ratio) => identifiable
 void conclude(Uncertainty& uncertainty);
 
-/// Returns estimates, intervals and the verdict from the linear model. A free parameter is identifiable (our
+/// Returns estimates and intervals from the linear model. A free parameter is identifiable (our
 /// choice) if its 95 % interval spans less than a factor of 4 (0.4 of its unit for Scale::amount), if it is
 /// not within 2 % of a bound, and, for k_muscle, if k_elasticity is not at a bound. A profile that is open
 /// makes it not identifiable later (see estimate).

@@ -68,7 +68,7 @@ class Assessment {
     model.correct_at(best_, e_.model);
     Objective objective(model, p_.grid, space_, p_.measured, p_.knowledge);
     Eigen::VectorXd x = e_.local->x;
-    x[held] = std::log(p_.compartment.recoil * best_.parameters.damping / recoil_s);
+    x[held] = std::log(p_.compartment.relaxation * best_.parameters.damping / recoil_s);
     x = objective.problem().inside(x);
     return space_.decode(best_nuisance(objective.problem(), x, {held}));
   }
@@ -136,7 +136,7 @@ class Assessment {
                                  }),
                                  muscle);
     if (!muscle && recoil_) {  // the ends of the recoil time, not of the candidates: a bound may stop those
-      const double scale = p_.compartment.recoil * best_.parameters.damping;
+      const double scale = p_.compartment.relaxation * best_.parameters.damping;
       stiffness.lower95 = scale / recoil_->upper95_s;
       stiffness.upper95 = scale / recoil_->lower95_s;
     }
@@ -150,11 +150,18 @@ class Assessment {
   FitResult recoil_result() const {
     FitResult r =
         result("recoil_time_s", "s",
-               read([&](const Candidate& x) { return p_.compartment.time_constant_s(x.parameters); }), false);
+               read([&](const Candidate& x) { return p_.compartment.recoil_time_s(x.parameters); }), false);
     if (recoil_) {
       r.lower95 = recoil_->lower95_s;
       r.upper95 = recoil_->upper95_s;
     }
+    const auto widened = [&](double limit) {
+      return r.value * std::exp(std::copysign(std::hypot(std::log(limit / r.value),
+                                                         normal_quantile * TrunkAsCompartment::log_error),
+                                              limit - r.value));
+    };
+    r.lower95 = widened(r.lower95);
+    r.upper95 = widened(r.upper95);
     r.assumption = shape_assumption();
     return r;
   }
@@ -246,8 +253,8 @@ class Assessment {
   /// Other optima that fit as well, at another recoil time.
   std::string two_optima() const {
     for (const LocalSearch& s : in_.optima) {
-      const double first = p_.compartment.time_constant_s(in_.optima.front().to.parameters),
-                   other = p_.compartment.time_constant_s(s.to.parameters);
+      const double first = p_.compartment.recoil_time_s(in_.optima.front().to.parameters),
+                   other = p_.compartment.recoil_time_s(s.to.parameters);
       if (s.objective <= 1.05 * in_.optima.front().objective && std::abs(std::log(other / first)) > 0.2)
         return fmt::format("recoil times of {:.2g} s and {:.2g} s fit equally well", first, other);
     }
@@ -257,7 +264,7 @@ class Assessment {
   std::string energy_reason() const {
     if (!in_.breath || !space_.find("k_elasticity")) return "";
     const double share =
-        resistive_share(expired_energy(*in_.breath), p_.compartment.time_constant_s(best_.parameters));
+        resistive_share(expired_energy(*in_.breath), p_.compartment.recoil_time_s(best_.parameters));
     if (share >= share_limits95().low && share <= 1.0) return "";
     return fmt::format(
         "it lets the airway take {:.0f} % of the energy that recoil stores; 18 to 100 % is plausible",

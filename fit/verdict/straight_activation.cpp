@@ -44,7 +44,7 @@ StraightActivation straight_activation(CompartmentFit fit, const Candidate& begi
   const Uncertainty u = assess(objective, *local);
   for (const Estimate& e : u.parameters)
     if (e.name == "k_elasticity") {
-      const double scale = fit.compartment.recoil * space.decode(found.best).parameters.damping;
+      const double scale = fit.compartment.relaxation * space.decode(found.best).parameters.damping;
       FitResult recoil = result_of(e, "recoil_time_s");
       recoil.unit = "s";
       recoil.value = scale / e.value;
