@@ -1,5 +1,6 @@
 #include "cohort/row.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace trunk {
@@ -7,12 +8,20 @@ namespace {
 
 RowEstimate row_estimate(const std::string& name, const Estimate& e) {
   const double unknown = std::nan("");
-  return {name,      e.unit, e.value, e.at_bound ? unknown : e.lower95, e.at_bound ? unknown : e.upper95,
-          e.at_bound};
+  return {name, e.unit,    e.value, e.at_bound ? unknown : e.lower95, e.at_bound ? unknown : e.upper95,
+          "",   e.at_bound};
 }
 
 RowEstimate row_estimate(const std::string& name, const std::string& unit, const Predicted& p) {
-  return {name, unit, p.value, p.lower95, p.upper95, false};
+  return {name, unit, p.value, p.lower95, p.upper95};
+}
+
+RowEstimate row_estimate(const FitResult& r) {
+  return {r.name, r.unit, r.value, r.lower95, r.upper95, std::string(name_of(r.grade))};
+}
+
+bool among(const std::vector<FitResult>& results, const std::string& name) {
+  return std::any_of(results.begin(), results.end(), [&](const FitResult& r) { return r.name == name; });
 }
 
 }  // namespace
@@ -21,10 +30,16 @@ CohortRow cohort_row(const std::string& subject, const FitSummary& fit) {
   CohortRow row;
   row.subject = subject;
   row.status = fit.status;
-  row.grade = fit.grade;
+  row.grade = name_of(fit.grade);
+  row.gates = fit.gates;
   row.verdict = fit.verdict;
-  for (const Estimate& e : fit.parameters) row.estimates.push_back(row_estimate(e.name, e));
-  if (fit.ratio) row.estimates.push_back(row_estimate("ratio", *fit.ratio));
+  for (const std::string& name : fit.headline)
+    for (const FitResult& r : fit.results)
+      if (r.name == name) row.estimates.push_back(row_estimate(r));
+  for (const Estimate& e : fit.parameters)
+    if (!among(fit.results, e.name)) row.estimates.push_back(row_estimate(e.name, e));
+  if (fit.ratio && !among(fit.results, "k_muscle_over_k_elasticity"))
+    row.estimates.push_back(row_estimate("ratio", *fit.ratio));
   row.numbers = {{"nrmse_percent", "percent", fit.nrmse_percent},
                  {"baseline_nrmse_percent", "percent", fit.baseline_nrmse_percent},
                  {"tidal_volume_measured_ml", "ml", fit.tidal_volume_measured_ml},

@@ -20,22 +20,32 @@ std::string cell(const std::string& text) {
   return result + '"';
 }
 
-void add(const RowEstimate& e, std::vector<NamedValue>& cells) {
-  cells.push_back({e.name, e.unit, e.value});
-  cells.push_back({e.name + "_lower95", e.unit, e.lower95});
-  cells.push_back({e.name + "_upper95", e.unit, e.upper95});
-  cells.push_back({e.name + "_at_bound", "1", e.at_bound ? 1.0 : 0.0});
+struct Cell {
+  std::string name, text;
+};
+
+/// A number that is not finite is a gap.
+Cell number_cell(const std::string& name, double value) {
+  return {name, std::isfinite(value) ? fmt::format("{}", value) : ""};
 }
 
-/// Returns all numbers of a row, each with the name of its column.
-std::vector<NamedValue> cells_of(const CohortRow& row) {
-  std::vector<NamedValue> cells;
+void add(const RowEstimate& e, std::vector<Cell>& cells) {
+  cells.push_back(number_cell(e.name, e.value));
+  cells.push_back(number_cell(e.name + "_lower95", e.lower95));
+  cells.push_back(number_cell(e.name + "_upper95", e.upper95));
+  if (!e.grade.empty()) cells.push_back({e.name + "_grade", e.grade});
+  if (e.at_bound) cells.push_back({e.name + "_at_bound", *e.at_bound ? "1" : "0"});
+}
+
+/// Returns what a row says in numbers and grades, each with the name of its column.
+std::vector<Cell> cells_of(const CohortRow& row) {
+  std::vector<Cell> cells;
   for (const RowEstimate& e : row.estimates) add(e, cells);
-  cells.insert(cells.end(), row.numbers.begin(), row.numbers.end());
+  for (const NamedValue& v : row.numbers) cells.push_back(number_cell(v.name, v.value));
   for (const RowPrediction& p : row.predictions) {
     add(p.delta_v, cells);
     add(p.ratio, cells);
-    cells.push_back(p.failed_draws);
+    cells.push_back(number_cell(p.failed_draws.name, p.failed_draws.value));
   }
   return cells;
 }
@@ -45,8 +55,8 @@ std::map<std::string, std::size_t> columns_of(const std::vector<CohortRow>& rows
                                               std::vector<std::string>& names) {
   std::map<std::string, std::size_t> columns;
   for (const CohortRow& row : rows)
-    for (const NamedValue& v : cells_of(row))
-      if (columns.emplace(v.name, names.size()).second) names.push_back(v.name);
+    for (const Cell& c : cells_of(row))
+      if (columns.emplace(c.name, names.size()).second) names.push_back(c.name);
   return columns;
 }
 
@@ -55,14 +65,15 @@ std::map<std::string, std::size_t> columns_of(const std::vector<CohortRow>& rows
 std::string cohort_csv(const std::vector<CohortRow>& rows) {
   std::vector<std::string> names;
   const auto columns = columns_of(rows, names);
-  std::string text = "subject,status,grade";
+  std::string text = "subject,status,grade,gates";
   for (const std::string& name : names) text += "," + name;
   text += ",verdict,error\n";
   for (const CohortRow& row : rows) {
-    std::vector<double> values(names.size(), std::nan(""));
-    for (const NamedValue& v : cells_of(row)) values[columns.at(v.name)] = v.value;
-    text += fmt::format("{},{},{}", cell(row.subject), row.status, name_of(row.grade));
-    for (const double v : values) text += std::isfinite(v) ? fmt::format(",{}", v) : ",";
+    std::vector<std::string> cells(names.size());
+    for (const Cell& c : cells_of(row)) cells[columns.at(c.name)] = c.text;
+    text += fmt::format("{},{},{},{}", cell(row.subject), row.status, row.grade,
+                        cell(fmt::format("{}", fmt::join(row.gates, " "))));
+    for (const std::string& c : cells) text += "," + c;
     text += "," + cell(row.verdict) + "," + cell(row.error) + "\n";
   }
   return text;

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "verdict/fit_results.hpp"
-
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,7 +12,8 @@ namespace trunk {
 struct RowEstimate {
   std::string name, unit;
   double value = 0.0, lower95 = 0.0, upper95 = 0.0;
-  bool at_bound = false;  // then it has no interval: a linear model has none at a bound
+  std::string grade{};             // of a result; or ""
+  std::optional<bool> at_bound{};  // of a parameter that is no result; at a bound it has no interval
 };
 
 /// A scenario that was predicted.
@@ -25,9 +25,10 @@ struct RowPrediction {
 /// One subject in the table of a cohort.
 struct CohortRow {
   std::string subject;
-  std::string status;  // as in `fit --json`, or "failed"
-  Grade grade = Grade::not_converged;
-  std::vector<RowEstimate> estimates;  // parameters and their ratio
+  std::string status;                  // as in `fit --json`, or "failed"
+  std::string grade;                   // "" if it failed
+  std::vector<std::string> gates;      // names
+  std::vector<RowEstimate> estimates;  // the results shown first, then parameters that are no results
   std::vector<NamedValue> numbers;     // NaN: not known
   std::vector<RowPrediction> predictions;
   std::string verdict, error;

@@ -31,7 +31,7 @@ Execution watched(unsigned threads) {
   return {threads, [] { return interrupted(); }, report};
 }
 
-Exit fit_command(const Common& common, FitRequest request) {
+Exit fit_command(const Common& common, FitRequest request, bool detailed) {
   const std::vector<std::string> notes = settle_files(request);
   FitJob job(request, watched(request.plan.estimation.execution.threads),
              {[](const std::string& text) { print_note("note: " + text); }, &print_progress});
@@ -49,7 +49,7 @@ Exit fit_command(const Common& common, FitRequest request) {
   }
   job.store(outcome, common.argv);
   print_result(common, fit_json(job.fit(), outcome),
-               fit_table(job.fit(), outcome) + "\nWritten to " + request.output);
+               fit_table(job.fit(), outcome, detailed) + "\nWritten to " + request.output);
   return exit_of(outcome.results.grade);
 }
 
@@ -59,6 +59,7 @@ void add_fit(CLI::App& app, Common& common, Run& run) {
   auto* command = app.add_subcommand(
       "fit", "Fits k_elasticity and k_muscle to a lung-volume trace, and says what the trace determines.");
   const auto r = std::make_shared<FitRequest>();
+  const auto detailed = std::make_shared<bool>(false);
   add_scenario_option(*command, *r);
   command
       ->add_option("-o,--output", r->output,
@@ -81,6 +82,8 @@ void add_fit(CLI::App& app, Common& common, Run& run) {
                    "Uses this many threads. [one per core]")
       ->type_name("N")
       ->check(whole_number(1, 1024));
+  command->add_flag("--details", *detailed,
+                    "Shows parameters, activation, joint region and search below the results as well.");
   add_json_flag(*command, common);
   add_force_flag(*command, common, "Replaces result files that exist.");
   command->footer(
@@ -89,10 +92,10 @@ void add_fit(CLI::App& app, Common& common, Run& run) {
       "  trunk fit recording.csv --flow \"Resp flow\" --unit L/min -o fit.h5\n"
       "  trunk fit scenarios/healthy.toml --trace recording.csv --starts 8 -o fit.h5\n"
       "  trunk fit --cohort subjects.csv -o cohort");
-  command->callback([&common, &run, r, command] {
+  command->callback([&common, &run, r, detailed, command] {
     const std::string typed = subject_options_text(*command);
-    run = [&common, r, typed] {
-      return r->cohort.empty() ? fit_command(common, *r) : fit_cohort(common, *r, typed);
+    run = [&common, r, detailed, typed] {
+      return r->cohort.empty() ? fit_command(common, *r, *detailed) : fit_cohort(common, *r, typed);
     };
   });
 }

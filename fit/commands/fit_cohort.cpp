@@ -40,7 +40,7 @@ void report(const Common& common, const CohortFolder& folder, const std::vector<
   const std::string table = folder.table_file().string();
   print_result(
       common,
-      {{"schema", "trunk.cohort/1"},
+      {{"schema", "trunk.cohort/2"},
        {"subjects", subjects},
        {"found", found},
        {"failed", failed},
@@ -84,7 +84,8 @@ Exit fit_cohort(const Common& common, FitRequest request, const std::string& typ
 }
 
 std::string subject_options_text(const CLI::App& command) {
-  static constexpr std::string_view others[] = {"output", "cohort", "threads", "json", "force", "help"};
+  static constexpr std::string_view others[] = {"output", "cohort", "threads", "details",
+                                                "json",   "force",  "help"};
   std::string text;
   for (const CLI::Option* option : command.get_options()) {
     const std::string name = option->get_lnames().empty() ? option->get_name() : option->get_lnames().front();

@@ -33,6 +33,34 @@ std::string estimates(const FitRecord& fit) {
   return table.csv();
 }
 
+std::string results(const std::vector<FitRecord::Result>& all) {
+  using R = FitRecord::Result;
+  CsvTable table;
+  table.add("result", "", each(all, &R::name));
+  table.add("value", "", each(all, &R::value));
+  table.add("unit", "", each(all, &R::unit));
+  table.add("lower95", "", each(all, &R::lower95));
+  table.add("upper95", "", each(all, &R::upper95));
+  table.add("grade", "", each(all, &R::grade));
+  table.add("assumption", "", each(all, &R::assumption));
+  table.add("reason", "", each(all, &R::reason));
+  table.add("meaning", "", each(all, &R::meaning));
+  table.add("headline", "", each(all, &R::headline));
+  return table.csv();
+}
+
+/// Returns the sentences of a fit: verdict, gates and notes, and what they are about.
+std::string verdict(const FitRecord& fit) {
+  std::vector<std::pair<std::string, std::string>> lines = {
+      {"status", fit.status}, {"grade", fit.grade}, {"verdict", fit.verdict}, {"input", fit.input}};
+  for (const FitRecord::Gate& gate : fit.gates) lines.emplace_back("gate " + gate.name, gate.sentence);
+  for (const std::string& note : fit.notes) lines.emplace_back("note", note);
+  std::string text = "what,text\n";
+  for (const auto& [what, sentence] : lines)
+    if (!sentence.empty()) text += csv_cell(what) + "," + csv_cell(sentence) + "\n";
+  return text;
+}
+
 Doubles in_ml(Doubles volumes_m3) {
   for (double& v : volumes_m3) v *= ml_per_m3;
   return volumes_m3;
@@ -128,12 +156,15 @@ std::string predictions(const FitRecord& fit) {
 
 std::vector<NamedText> csv_tables(const FitRecord& fit) {
   std::vector<NamedText> files = {
+      {"verdict.csv", verdict(fit)},
       {"parameters.csv", estimates(fit)},
       {"statistics.csv", names_and_numbers(fit.statistics)},
       {"breath.csv", breath(fit)},
       {"evaluations.csv", evaluations(fit)},
       {"measures.csv", names_and_numbers(fit.best_run.measures)},
       {"curves.csv", series_over_time(fit.best_run.curve_time_s, fit.best_run.curves)}};
+  if (!fit.results.empty()) files.push_back({"results.csv", results(fit.results)});
+  if (!fit.straight.empty()) files.push_back({"straight_activation.csv", results(fit.straight)});
   if (!fit.starts.empty()) files.push_back({"starts.csv", starts(fit)});
   if (!fit.profiles.empty()) files.push_back({"profiles.csv", profiles(fit)});
   if (!fit.surface.deviance.empty()) files.push_back({"surface.csv", surface(fit.surface)});

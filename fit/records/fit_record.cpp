@@ -78,6 +78,7 @@ void add_evaluations(const SearchSpace& space, const Estimation& e, FitRecord& f
 }
 
 void add_likelihood(const Estimation& e, FitRecord& fit) {
+  const double quantile = e.local ? t_quantile(e.local->freedom) : 0.0;
   for (const Profile& p : e.profiles)
     fit.profiles.push_back({p.name,
                             p.unit,
@@ -85,7 +86,8 @@ void add_likelihood(const Estimation& e, FitRecord& fit) {
                             p.deviance,
                             {p.at_bound.begin(), p.at_bound.end()},
                             p.interval95.lower,
-                            p.interval95.upper});
+                            p.interval95.upper,
+                            quantile * quantile});
   if (!e.surface) return;
   for (int i = 0; i < 2; ++i) {
     fit.surface.name[i] = e.surface->names[i];
@@ -168,7 +170,6 @@ FitRecord fit_record(const ScenarioFile& file, const Trunk& trunk, const SearchS
   fit.dV_baseline_m3.assign(e.quality.baseline.data(), e.quality.baseline.data() + e.quality.baseline.size());
   fit.statistics = statistics_of(e);
   if (e.bootstrap) add_bootstrap(space, *e.bootstrap, fit);
-  fit.notes = e.notes;
   if (e.cross_check) fit.cross_check = {e.cross_check->first, e.cross_check->second, e.cross_check->agree};
   fit.provenance = provenance;
 

@@ -11,6 +11,29 @@ std::vector<double> in_ml(std::vector<double> volumes_m3) {
   return volumes_m3;
 }
 
+Json graded_contents(const std::vector<FitRecord::Result>& results) {
+  Json list = Json::array();
+  for (const FitRecord::Result& r : results)
+    list.push_back({{"name", r.name},
+                    {"unit", r.unit},
+                    {"value", number_or_null(r.value)},
+                    {"lower95", number_or_null(r.lower95)},
+                    {"upper95", number_or_null(r.upper95)},
+                    {"grade", r.grade},
+                    {"assumption", r.assumption},
+                    {"reason", r.reason},
+                    {"meaning", r.meaning},
+                    {"headline", r.headline}});
+  return list;
+}
+
+Json gate_contents(const FitRecord& fit) {
+  Json gates = Json::array();
+  for (const FitRecord::Gate& gate : fit.gates)
+    gates.push_back({{"name", gate.name}, {"sentence", gate.sentence}});
+  return gates;
+}
+
 Json measured_contents(const FitRecord& fit, Packed& packed) {
   const std::size_t size = fit.measured_time_s.size();
   if (size == 0) return nullptr;
@@ -25,6 +48,9 @@ Json result_contents(const FitRecord& fit, Packed& packed) {
     return packed_if_any(in_ml(m3), size, name, packed);
   };
   return {{"verdict", fit.verdict},
+          {"grade", fit.grade},
+          {"input", fit.input},
+          {"gates", gate_contents(fit)},
           {"identifiable", fit.identifiable},
           {"stop_reason", fit.stop_reason},
           {"algorithm", fit.algorithm},
@@ -79,7 +105,8 @@ Json profile_contents(const FitRecord& fit) {
                         {"value", json_list(p.value)},
                         {"deviance", json_list(p.deviance)},
                         {"at_bound", p.at_bound},
-                        {"interval95", json_list({p.lower95, p.upper95})}});
+                        {"interval95", json_list({p.lower95, p.upper95})},
+                        {"threshold95", p.threshold95}});
   return profiles;
 }
 
@@ -106,6 +133,9 @@ Json prediction_contents(const FitRecord& fit) {
 Json fit_contents(const FitRecord& fit, Packed& packed) {
   return {{"measured", measured_contents(fit, packed)},
           {"result", result_contents(fit, packed)},
+          {"results", graded_contents(fit.results)},
+          {"straight", graded_contents(fit.straight)},
+          {"straight_nrmse_percent", number_or_null(fit.straight_nrmse_percent)},
           {"parameters", parameter_contents(fit)},
           {"surface", surface_contents(fit.surface, packed)},
           {"profiles", profile_contents(fit)},

@@ -51,6 +51,10 @@ void adopt_intervals(const FitResults& results, Estimation& e) {
   const auto adopt = [&](Estimate& estimate, const char* name) {
     const FitResult* r = results.find(name);
     if (r == nullptr) return;
+    if (!std::isfinite(r->value)) {  // withheld
+      estimate.value = estimate.stderr_ = r->value;
+      estimate.naive95 = {r->value, r->value};
+    }
     estimate.lower95 = r->lower95;
     estimate.upper95 = r->upper95;
     estimate.identifiable = r->grade <= Grade::assumption;
@@ -126,6 +130,7 @@ FitOutcome FitJob::carry_out() {
   const auto start = std::chrono::steady_clock::now();
   ledger_ = std::make_unique<Ledger>(ledger_file(), fit_->problem_text());
   FitOutcome outcome;
+  outcome.input = std::filesystem::path(request_.trace).filename().string();
   outcome.notes = notes_;
   outcome.replayed = ledger_->found();
   const auto note = [&](const std::string& text) {
@@ -133,7 +138,8 @@ FitOutcome FitJob::carry_out() {
     listener_.note(text);
   };
   if (outcome.replayed > 0)
-    note(fmt::format("the fit goes on from {} simulations of an interrupted run", outcome.replayed));
+    listener_.note(
+        fmt::format("the fit goes on from {} simulations of an interrupted run", outcome.replayed));
   Estimation& e = outcome.estimation;
   try {
     e = fit_->carry_out(*ledger_);
@@ -171,8 +177,9 @@ void FitJob::store(const FitOutcome& outcome, const std::string& argv) {
     record.statistics.push_back({"breaths_used", "1", static_cast<double>(breath->breaths_used)});
     record.statistics.push_back({"breaths_rejected", "1", static_cast<double>(breath->breaths_rejected)});
   }
-  record.verdict = outcome.results.verdict;
-  record.identifiable = outcome.results.grade <= Grade::assumption;
+  record.input = outcome.input;
+  record.notes = outcome.notes;
+  add_results(outcome.results, record);
   add_breaths(outcome.breaths, record);
   add_predictions(outcome.predictions, record);
   write_fit(request_.output, record);

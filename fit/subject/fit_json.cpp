@@ -111,6 +111,7 @@ Json straight_json(const StraightActivation& straight) {
 Json fit_json(const SubjectFit& fit, const FitOutcome& outcome) {
   const Estimation& e = outcome.estimation;
   Json json{{"schema", "trunk.fit/2"}};
+  json["input"] = outcome.input.empty() ? Json(nullptr) : Json(outcome.input);
   json.update(to_json(summary_of(fit, outcome)));
   for (const NamedValue& v : quality_numbers(e)) json[v.name] = json_number(v.value);
   json["tidal_volume_error_percent"] =
@@ -119,9 +120,11 @@ Json fit_json(const SubjectFit& fit, const FitOutcome& outcome) {
     json.update(uncertainty_json(*e.uncertainty));
   else
     json["residual_autocorrelation"] = json["condition_number"] = nullptr;
-  if (!e.profiles.empty()) json["profiles"] = profiles_json(e);
-  if (e.surface) json["surface"] = surface_json(*e.surface);
-  if (e.bootstrap) json["bootstrap"] = bootstrap_json(*e.bootstrap, *e.uncertainty);
+  if (outcome.results.gates.empty()) {  // a gate withholds stiffness, wherever it stands
+    if (!e.profiles.empty()) json["profiles"] = profiles_json(e);
+    if (e.surface) json["surface"] = surface_json(*e.surface);
+    if (e.bootstrap) json["bootstrap"] = bootstrap_json(*e.bootstrap, *e.uncertainty);
+  }
   json["activation"] = activation_json(fit, e);
   json["algorithm"] = e.algorithm;
   json["stop_reason"] = e.search.stop_reason;

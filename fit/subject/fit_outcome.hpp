@@ -9,6 +9,7 @@ namespace trunk {
 struct FitOutcome {
   Estimation estimation;
   FitResults results;
+  std::string input;                    // the trace's own file name; "" if only a tidal volume was given
   std::vector<BreathRefit> breaths;     // empty unless --breath each
   std::vector<Prediction> predictions;  // in the order in which scenarios were named
   std::vector<std::string> notes;       // on what was read, then on the fit

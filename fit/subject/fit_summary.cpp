@@ -28,8 +28,7 @@ Predicted predicted_from(const Json& json) {
 }
 
 Json to_json(const PredictionSummary& p) {
-  return {{"name", p.name},
-          {"scenario", p.scenario},
+  return {{"scenario", p.scenario},
           {"delta_v_ml", to_json(p.delta_v_ml)},
           {"own_delta_v_ml", to_json(p.own_delta_v_ml)},
           {"ratio_percent", to_json(p.ratio_percent)},
@@ -37,8 +36,8 @@ Json to_json(const PredictionSummary& p) {
           {"failed", p.failed}};
 }
 
-PredictionSummary prediction_from(const Json& json) {
-  return {json.at("name").get<std::string>(),
+PredictionSummary prediction_from(const std::string& name, const Json& json) {
+  return {name,
           json.at("scenario").get<std::string>(),
           predicted_from(json.at("delta_v_ml")),
           predicted_from(json.at("own_delta_v_ml")),
@@ -155,7 +154,7 @@ Json to_json(const FitSummary& s) {
   json["breaths_used"] = s.breaths_used;
   json["breaths_rejected"] = s.breaths_rejected;
   if (s.median_latency_ms) json["median_latency_ms"] = *s.median_latency_ms;
-  for (const PredictionSummary& p : s.predictions) json["predictions"].push_back(to_json(p));
+  for (const PredictionSummary& p : s.predictions) json["predictions"][p.name] = to_json(p);
   json["verdict"] = s.verdict;
   json["simulated"] = s.simulated;
   return json;
@@ -179,7 +178,8 @@ FitSummary summary_from_json(const Json& json) {
   s.breaths_rejected = json.at("breaths_rejected").get<int>();
   if (json.contains("median_latency_ms")) s.median_latency_ms = number_from(json, "median_latency_ms");
   if (json.contains("predictions"))
-    for (const Json& p : json["predictions"]) s.predictions.push_back(prediction_from(p));
+    for (const auto& [name, p] : json["predictions"].items())
+      s.predictions.push_back(prediction_from(name, p));
   s.verdict = json.at("verdict").get<std::string>();
   s.simulated = json.at("simulated").get<std::size_t>();
   return s;

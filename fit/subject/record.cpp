@@ -1,5 +1,6 @@
 #include "subject/record.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "math/median.hpp"
@@ -17,7 +18,28 @@ void add(const Predicted& p, const std::string& name, const std::string& unit,
   numbers.push_back({name + "_upper95", unit, p.upper95});
 }
 
+FitRecord::Result record_of(const FitResult& r) {
+  return {r.name,       r.unit,   r.value,   r.lower95, r.upper95, std::string(name_of(r.grade)),
+          r.assumption, r.reason, r.meaning, 0};
+}
+
 }  // namespace
+
+void add_results(const FitResults& results, FitRecord& record) {
+  record.grade = name_of(results.grade);
+  record.identifiable = results.grade <= Grade::assumption;
+  record.verdict = results.verdict;
+  for (const Gate& gate : results.gates) record.gates.push_back({gate.name, gate.sentence});
+  for (const FitResult& r : results.results) record.results.push_back(record_of(r));
+  for (FitRecord::Result& r : record.results) {
+    const auto at = std::find(results.headline.begin(), results.headline.end(), r.name);
+    if (at != results.headline.end())
+      r.headline = static_cast<std::int32_t>(at - results.headline.begin()) + 1;
+  }
+  if (!results.straight) return;
+  for (const FitResult& r : results.straight->results) record.straight.push_back(record_of(r));
+  record.straight_nrmse_percent = 100.0 * results.straight->nrmse;
+}
 
 std::string short_name(const std::string& scenario) {
   return std::filesystem::path(scenario).stem().string();

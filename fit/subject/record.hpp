@@ -12,6 +12,8 @@ std::string short_name(const std::string& scenario);
 /// Returns the median latency, s; NaN if there are no breaths.
 double median_latency_s(const std::vector<BreathRefit>& breaths);
 
+/// => grade, gates, results, straight lines, verdict
+void add_results(const FitResults& results, FitRecord& record);
 void add_breaths(const std::vector<BreathRefit>& breaths, FitRecord& record);
 void add_predictions(const std::vector<Prediction>& predictions, FitRecord& record);
 

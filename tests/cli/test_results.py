@@ -33,12 +33,13 @@ class ResultsTest(TrunkTest):
         """What holds for all three: complete, no handle left behind, every group opens, every number has a unit."""
         file = self.opened(name)
         self.assertEqual(int(file.attrs["complete"]), 1)
-        self.assertEqual((text(file.attrs["schema"]), int(file.attrs["schema_version"])), (f"trunk.{kind}", 1))
+        self.assertEqual((text(file.attrs["schema"]), int(file.attrs["schema_version"])), (f"trunk.{kind}", 2 if kind == "fit" else 1))
         groups, datasets = [], []
         file.visititems(lambda path, o: (groups if isinstance(o, h5py.Group) else datasets).append(path))
         beside = tuple("parameters/" + name for name in ("initial", "lower", "upper", "best", "stderr", "lower95", "upper95",
                                                        "naive_lower95", "naive_upper95"))
-        beside += ("problem/bounds", "evaluations/x", "starts/from", "starts/to")  # their units stand in a column beside them
+        beside += ("problem/bounds", "evaluations/x", "starts/from", "starts/to",
+                   *(f"{group}/{name}" for group in ("results", "straight_activation") for name in ("value", "lower95", "upper95")))  # their units stand in a column beside them
         data = {path: file[path] for path in datasets}
         self.assertEqual([path for path, d in data.items() if d.dtype.kind == "f" and "units" not in d.attrs
                           and not path.endswith(beside)], [])
@@ -118,6 +119,23 @@ class Fit(ResultsTest):
                 else json["cross_check"]["largest_difference_percent"]
             self.assertEqual(data[()], expected, name)
         self.assertEqual(text(file["result"].attrs["verdict"]), json["verdict"])
+        results = self.group("f.h5", "results").to_dataframe()
+        self.assertEqual(list(results.index), list(json["results"]))
+        for name, result in json["results"].items():
+            row = results.loc[name]
+            for key in ("value", "lower95", "upper95"):
+                self.assertEqual(row[key], result[key] if result[key] is not None else math.inf, (name, key))
+            for key in ("grade", "assumption", "reason", "meaning"):
+                self.assertEqual(row[key], result[key] or "", (name, key))
+        shown = results[results["headline"] > 0].sort_values("headline")
+        self.assertEqual(list(shown.index), json["headline"])
+        self.assertEqual(text(file["results"].attrs["grade"]), json["grade"])
+        straight = self.group("f.h5", "results/straight_activation")
+        self.assertEqual(float(straight["nrmse_percent"]), json["straight_activation"]["nrmse_percent"])
+        for name, value in zip(straight["name"].values, straight["value"].values):
+            self.assertEqual(value, json["straight_activation"][text(name)]["value"])
+        self.assertEqual(text(file["problem"].attrs["input"]), "t.csv")
+        self.assertEqual([text(note) for note in file["result/notes"][()]] if "notes" in file["result"] else [], json["notes"])
         evaluations = self.group("f.h5", "evaluations")
         self.assertEqual(evaluations.sizes["evaluation"], json["evaluations"])
         result, problem = self.group("f.h5", "result"), self.group("f.h5", "problem")

@@ -92,6 +92,17 @@ inline FitRecord sample_fit() {
   fit.status = "converged";
   fit.scenario_toml = "x = 1\n";
   fit.verdict = "k_muscle/k_elasticity determined to 0.4 %";
+  fit.input = "breath ΔV.csv";
+  fit.grade = "not_determined";
+  const double unlimited = std::numeric_limits<double>::infinity();
+  fit.results = {
+      {"recoil_time_s", "s", 0.5, 0.2, unlimited, "assumption", "the airway takes 40 %", "",
+       "the time in which volume falls", 2},
+      {"k_muscle", "N m-1", none, none, none, "not_determined", "", "not driven by a muscle?", "", 1},
+      {"delta_h_mm", "mm", 4, 3, 5, "determined", "", "", "how much the dome flattens", 0}};
+  fit.gates = {{"machine_driven", "not driven by a muscle?"}, {"wander", "its level wanders"}};
+  fit.straight = {{"k_muscle", "N m-1", 480, 470, 490, "assumption", "straight lines", "", "", 0}};
+  fit.straight_nrmse_percent = 2.5;
   fit.stop_reason = "XTOL_REACHED";
   fit.algorithm = "BOBYQA";
   fit.parameters = {{"k_elasticity", "N m-1", 3000, 100, 1e5, 4000, 20, 3960, 4040, false, true},
@@ -111,7 +122,7 @@ inline FitRecord sample_fit() {
   fit.residual_m3 = {0, 1e-5, 1e-6};
   fit.statistics = {{"nrmse", "percent", 1.5}};
   fit.starts = {{{3000, 20}, {4000, 30}, 12.5, true}};
-  fit.profiles = {{"k_muscle", "N m-1", {490, 500, 510}, {1, 0, 1.5}, {0, 0, 1}, 495, none}};
+  fit.profiles = {{"k_muscle", "N m-1", {490, 500, 510}, {1, 0, 1.5}, {0, 0, 1}, 495, none, 4.5}};
   fit.surface = {{"k_elasticity", "k_muscle/k_elasticity"},
                  {"N m-1", "1"},
                  {{3900, 4000}, {0.1, 0.11, 0.12}},

@@ -7,6 +7,7 @@
 
 #include "commands/text/outcome_text.hpp"
 #include "commands/text/output.hpp"
+#include "commands/text/result_text.hpp"
 #include "math/units.hpp"
 
 namespace trunk {
@@ -19,9 +20,9 @@ std::string estimate_line(const Estimate& p, const Profile* profile) {
                ? fmt::format("{} to {}", shown(low, "{:.4g}"), shown(high, "{:.4g}"))
                : std::string("not known");
   };
-  std::string text =
-      fmt::format("  {:<26} {:>10.5g}  {:>10}  {:>20}  {:>20}", p.name, p.value, shown(p.stderr_, "{:.3g}"),
-                  range(p.lower95, p.upper95), range(p.naive95.lower, p.naive95.upper));
+  std::string text = fmt::format("  {:<26} {:>10}  {:>10}  {:>20}  {:>20}", p.name, shown(p.value, "{:.5g}"),
+                                 shown(p.stderr_, "{:.3g}"), range(p.lower95, p.upper95),
+                                 range(p.naive95.lower, p.naive95.upper));
   if (profile != nullptr)
     text += fmt::format("  {:>20}", range(profile->interval95.lower, profile->interval95.upper));
   return text + " " + (p.unit == "1" ? "" : p.unit) + (p.at_bound ? "  AT BOUND" : "") + "\n";
@@ -50,16 +51,10 @@ std::string origin_of(const SubjectFit& fit) {
   return "from the scenario";
 }
 
-}  // namespace
-
-std::string fit_table(const SubjectFit& fit, const FitOutcome& outcome) {
+/// Returns parameters, activation, joint region, bootstrap and search.
+std::string details(const SubjectFit& fit, const FitOutcome& outcome) {
   const Estimation& e = outcome.estimation;
-  std::string text;
-  if (const auto& breath = fit.measurement().breath)
-    text += fmt::format("{} breaths used, {} rejected; tidal volume {:.0f} ml, {:.2f} s a breath\n",
-                        breath->breaths_used, breath->breaths_rejected, ml_per_m3 * breath->tidal_volume_m3,
-                        breath->duration_s);
-  text += estimates_table(e);
+  std::string text = estimates_table(e);
   text += fmt::format(
       "  residual {:.2f} % of tidal volume (one-compartment model: {:.2f} %), tidal volume {:+.1f} ml, peak "
       "{:+.3f} s\n",
@@ -69,12 +64,13 @@ std::string fit_table(const SubjectFit& fit, const FitOutcome& outcome) {
   text += fmt::format(
       "  activation: onset {:.2f} s, rise {:.2f} s, fast fall {:.2f} s to {:.2g}, slow fall {:.2f} s ({})\n",
       a.onset_s, a.rise_s, a.fast_fall_s, a.fast_fall_level, a.slow_fall_s, origin_of(fit));
-  if (e.surface)
+  const bool withheld = !outcome.results.gates.empty();
+  if (e.surface && !withheld)
     text += fmt::format("  joint 95 % region: {} {:.4g} to {:.4g}, {} {:.4g} to {:.4g}{}\n",
                         e.surface->names[0], e.surface->region95[0].lower, e.surface->region95[0].upper,
                         e.surface->names[1], e.surface->region95[1].lower, e.surface->region95[1].upper,
                         e.surface->closed ? "" : " (reaches the edge of the grid)");
-  if (e.bootstrap) {
+  if (e.bootstrap && !withheld) {
     text += fmt::format("  95 % by {} bootstrap repeats (blocks of {} samples):", e.bootstrap->repeats,
                         e.bootstrap->block);
     for (std::size_t i = 0; i < e.bootstrap->interval95.size(); ++i)
@@ -86,13 +82,29 @@ std::string fit_table(const SubjectFit& fit, const FitOutcome& outcome) {
     text +=
         fmt::format("  {} and {} {} ({:.2g} % apart)\n", e.cross_check->first, e.cross_check->second,
                     e.cross_check->agree ? "agree" : "DISAGREE", 100.0 * e.cross_check->largest_difference());
-  text += fmt::format("  {} evaluations{}, {} failed; {}\n", e.evaluations.size(),
-                      outcome.replayed > 0 ? fmt::format(" ({} found from an interrupted run)",
-                                                         e.evaluations.size() - e.simulated)
-                                           : "",
-                      e.failures, e.search.stop_reason);
-  text += breaths_table(outcome.breaths) + predictions_table(outcome.predictions);
-  return text + (e.uncertainty ? e.uncertainty->verdict : "The search did not converge.");
+  return text + fmt::format("  {} simulations of the trunk{}, {} failed; {}\n", e.simulations,
+                            outcome.replayed > 0 ? fmt::format(" ({} found from an interrupted run)",
+                                                               e.evaluations.size() - e.simulated)
+                                                 : "",
+                            e.failures, e.search.stop_reason);
+}
+
+}  // namespace
+
+std::string fit_table(const SubjectFit& fit, const FitOutcome& outcome, bool detailed) {
+  const FitResults& results = outcome.results;
+  std::string text;
+  if (const auto& breath = fit.measurement().breath)
+    text += fmt::format("{} breaths used, {} rejected; tidal volume {:.0f} ml, {:.2f} s a breath\n",
+                        breath->breaths_used, breath->breaths_rejected, ml_per_m3 * breath->tidal_volume_m3,
+                        breath->duration_s);
+  text += results_table(results);
+  if (detailed)
+    text += details(fit, outcome);
+  else if (results.headline.empty())
+    text += estimates_table(outcome.estimation);
+  return text + breaths_table(outcome.breaths) + predictions_table(outcome.predictions) +
+         verdict_text(results);
 }
 
 }  // namespace trunk

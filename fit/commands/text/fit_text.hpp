@@ -4,7 +4,8 @@
 
 namespace trunk {
 
-/// Returns what `trunk fit` prints without --json.
-std::string fit_table(const SubjectFit& fit, const FitOutcome& outcome);
+/// Returns what `trunk fit` prints without --json: the results and the verdict. `detailed` adds parameters,
+/// activation, joint region and search.
+std::string fit_table(const SubjectFit& fit, const FitOutcome& outcome, bool detailed);
 
 }  // namespace trunk

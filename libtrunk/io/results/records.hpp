@@ -100,6 +100,7 @@ struct FitRecord {
     std::vector<double> value, deviance;  ///< [K]
     std::vector<std::int32_t> at_bound;   ///< [K] another parameter is at its bound
     double lower95 = 0, upper95 = 0;      ///< infinite if the profile interval is open
+    double threshold95 = 3.84;            ///< the deviance at its ends; a file of version 1 does not hold it
   };
   /// The likelihood over a grid of two parameters; without points if it was not computed.
   struct Surface {
@@ -109,6 +110,19 @@ struct FitRecord {
     double threshold95 = 0;
     double lower95[2] = {0, 0}, upper95[2] = {0, 0};  ///< the extent of the joint 95 % region
     bool closed = false;                              ///< the region does not reach the edge of the grid
+  };
+  /// A number that the fit reports.
+  struct Result {
+    std::string name, unit;
+    double value = 0, lower95 = 0, upper95 = 0;  ///< NaN: withheld; infinite: no limit
+    std::string grade;               ///< "determined", "assumption", "not_determined", "not_converged"
+    std::string assumption, reason;  ///< what the interval stands on; why it is not determined; or ""
+    std::string meaning;             ///< one line for a physiologist
+    std::int32_t headline = 0;       ///< place among the results that are shown first, from 1; 0: it is not
+  };
+  /// Why the recording must not be fitted as it is.
+  struct Gate {
+    std::string name, sentence;
   };
   /// Whether a second search method finds the same result.
   struct CrossCheck {
@@ -124,7 +138,13 @@ struct FitRecord {
   };
 
   std::string title, status, message;
-  std::string scenario_toml;  ///< the unchanged text
+  std::string scenario_toml;     ///< the unchanged text
+  std::string input;             ///< the trace's own file name, without its folder; "" if there is no trace
+  std::string grade;             ///< the worst of the results shown first; "" in a file of version 1
+  std::vector<Result> results;   //
+  std::vector<Gate> gates;       //
+  std::vector<Result> straight;  ///< the same if the activation is made of straight lines; or empty
+  double straight_nrmse_percent = 0;  ///< NaN if `straight` is empty
   std::string verdict, stop_reason, algorithm;
   std::vector<Parameter> parameters;          ///< [P]
   std::vector<std::string> covariance_names;  ///< [F]
@@ -151,7 +171,7 @@ struct FitRecord {
   Provenance provenance;
   std::vector<double> dV_baseline_m3;                        ///< [Tr] of a one-compartment model; or empty
   std::vector<double> bootstrap_lower95, bootstrap_upper95;  ///< [P], NaN if it is not requested; or empty
-  std::vector<std::string> notes;                            ///< what is left out, and why
+  std::vector<std::string> notes;                            ///< on what was read, then on the fit
   CrossCheck cross_check;                                    //
   bool identifiable = false;                                 //
 };

@@ -11,8 +11,11 @@ function verdict(parent, fit, status) {
   const { result } = fit;
   const text = result.verdict || 'This file holds no verdict.';
   const { first, second, agree } = result.cross_check;
+  const good = result.grade ? ['determined', 'assumption'].includes(result.grade) : result.identifiable;
   const facts = [
     status && `Status: ${words(status)}`,
+    result.grade && `grade: ${words(result.grade)}`,
+    result.input && `recording: ${result.input}`,
     result.algorithm && `search: ${words(result.algorithm)}`,
     result.stop_reason,
     second && `${first} and ${second} ${agree ? 'agree' : 'do not agree'}`,
@@ -20,8 +23,9 @@ function verdict(parent, fit, status) {
   section(
     parent,
     'Verdict',
-    h('p', { class: result.identifiable ? 'verdict' : 'verdict warned' }, text),
+    h('p', { class: good ? 'verdict' : 'verdict warned' }, text),
     h('p', null, `${facts.join('; ')}.`),
+    ...result.gates.map(({ name, sentence }) => note(`Gate ${words(name)}: ${sentence}`)),
     ...result.notes.map((text) => note(text)),
     baseline(result.statistics),
   );
@@ -39,6 +43,43 @@ function baseline(statistics) {
   const [bic, baseBic] = ['bic', 'baseline_bic'].map((name) => numberNamed(statistics, name));
   const better = Number.isFinite(bic - baseBic) ? ` BIC ${numberText(bic, 5)} against ${numberText(baseBic, 5)}: ${bic < baseBic ? 'the trunk' : 'the one-compartment model'} explains the trace better for its number of parameters.` : '';
   return h('div', { class: 'baseline' }, h('h3', null, 'Residual (RMS, of the tidal volume) against the baseline'), h('div', { class: 'readouts' }, row('this trunk', ours, 'blue'), row('one-compartment model', theirs, 'grey')), better ? h('p', null, better) : null);
+}
+
+const grades = { determined: 'determined', assumption: 'assumes', not_determined: 'not determined', not_converged: 'not converged' };
+
+/** "0.503 (0.202 to 1.7) s"; a number that a gate withholds is null. */
+function resultText({ value, lower95, upper95, unit }) {
+  if (value === null) return 'withheld';
+  const end = (v) => (v === null ? 'no limit' : numberText(v, 3));
+  return `${numberText(value, 3)} (${end(lower95)} to ${end(upper95)}) ${unitText(unit)}`.trim();
+}
+
+/** Results with grades; what they stand on, or why they are not determined, stands once below the table. */
+function results(parent, fit) {
+  if (fit.results.length === 0) return;
+  const notes = [];
+  const marks = (text) => {
+    const numbers = text.split('; ').map((part) => {
+      if (!notes.includes(part)) notes.push(part);
+      return notes.indexOf(part) + 1;
+    });
+    return `(${numbers.join(', ')})`;
+  };
+  const straight = new Map(fit.straight.map((r) => [r.name, r]));
+  const rows = fit.results.map((r) => {
+    const why = r.reason || (r.grade === 'assumption' ? r.assumption : '');
+    const cells = [nameText(r.name), resultText(r), [grades[r.grade] ?? words(r.grade), why && marks(why)].filter(Boolean).join(' ')];
+    if (straight.size > 0) cells.push(straight.has(r.name) ? resultText(straight.get(r.name)) : '');
+    return [...cells, r.meaning];
+  });
+  const heads = ['result', 'value (95 % interval)', 'grade', ...(straight.size > 0 ? ['if the activation is made of straight lines'] : []), 'what it says'];
+  section(
+    parent,
+    'Results',
+    table(heads, rows, { caption: 'Results with 95 % intervals and grades' }),
+    h('ol', { class: 'small' }, notes.map((text) => h('li', null, text))),
+    straight.size > 0 ? note(`Straight lines are what the paper assumes of the activation; their residual is ${quantity(fit.straight_nrmse_percent, 'percent', 2)} of the tidal volume.`) : null,
+  );
 }
 
 const fitted = (parameters) => parameters.filter((p) => p.free || p.beside);
@@ -71,7 +112,7 @@ function parameters(parent, fit) {
   const statistics = fit.result.statistics.map((s) => [nameText(s.name), numberText(s.value, 5), unitText(s.unit)]);
   section(
     parent,
-    'What was estimated',
+    'Parameters',
     table(['parameter', 'best', 'standard error', '95 % interval', 'unit', 'best and interval', ''], rows, { caption: 'Parameters with 95 % intervals (each drawn on its own scale)', numeric: [1, 2, 3] }),
     h('details', null, h('summary', null, 'All statistics'), table(['', 'value', 'unit'], statistics, { numeric: [1] })),
   );
@@ -105,7 +146,7 @@ function profileDrawing(profile) {
   const { value, deviance } = profile;
   const [low, high] = profile.interval95;
   const drawn = value.map((v, i) => [v, deviance[i]]).filter(([v, d]) => v !== null && d !== null);
-  const threshold = 3.841;
+  const threshold = profile.threshold95;
   const ends = [low, high].map((v) => (Number.isFinite(v) ? numberText(v, 4) : 'not closed'));
   const log = Math.min(...drawn.map(([v]) => v)) > 0;
   return frame(
@@ -135,15 +176,15 @@ function likelihood(parent, fit) {
   const drawings = h('div', { class: few ? 'drawings beside-each-other' : 'drawings' });
   box.append(drawings);
   if (fit.surface) drawings.append(surfaceDrawing(fit.surface, fit));
-  else box.append(note('The likelihood surface is not in this file: it is made where two parameters are free (fit --surface N forces it).'));
+  else box.append(note('The likelihood surface is not in this file: it is made where two parameters are free.'));
   const profiles = h('div', { class: 'drawings profiles' }, fit.profiles.map(profileDrawing));
   (few ? drawings : box).append(profiles);
-  if (fit.profiles.length === 0) box.append(note('Profiles are not in this file (fit --profiles forces them).'));
+  if (fit.profiles.length === 0) box.append(note('Profiles are not in this file.'));
   else {
     box.append(
       key([
         { label: 'profile: the fit as one parameter is moved and the others follow', colour: 'blue' },
-        { label: '95 % level, 3.84', colour: 'grey', style: 'dashed' },
+        { label: `95 % level, ${numberText(fit.profiles[0].threshold95, 3)}`, colour: 'grey', style: 'dashed' },
         { label: 'shaded: 95 % interval', colour: 'inside', style: 'block' },
         { label: 'another parameter sat on its bound', colour: 'orange', style: 'dot' },
       ]),
@@ -238,6 +279,7 @@ function predictions(parent, fit) {
 export function fitSections(parent, file, clock) {
   const { fit } = file;
   verdict(parent, fit, file.status);
+  results(parent, fit);
   curves(parent, fit, clock);
   parameters(parent, fit);
   likelihood(parent, fit);

@@ -84,7 +84,7 @@ export function surfaceDrawing(surface, fit) {
   const most = 6 * level; // beyond this all is far
   const coarse = axes[0].map((_, i) => Array.from(surface.deviance.subarray(i * axes[1].length, (i + 1) * axes[1].length)));
   if (axes.some((a) => a.length < 3) || !coarse.flat().every(Number.isFinite))
-    return note('The likelihood surface cannot be drawn: simulations of its grid failed.');
+    return note('The likelihood surface cannot be drawn: points of its grid failed.');
   const columns = coarse.map(refined); // along the second axis, then along the first
   const rows = columns[0].map((_, j) => refined(columns.map((column) => column[j])));
   const grid = rows[0].map((_, i) => rows.map((row) => row[i]));
@@ -125,7 +125,7 @@ export function surfaceDrawing(surface, fit) {
       { label: 'best', colour: 'best', style: 'dot' },
     ]),
     h('p', { class: 'small' }, regionText(surface)),
-    h('p', { class: 'small' }, `Cubic between ${axes[0].length} × ${axes[1].length} simulated points.`),
+    h('p', { class: 'small' }, `Cubic between ${axes[0].length} × ${axes[1].length} points of the grid that the fit computed.`),
   );
   return figure;
 }

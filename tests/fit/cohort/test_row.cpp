@@ -30,7 +30,13 @@ Estimate estimate(const std::string& name, double value, double lower95, double 
 FitSummary summary() {
   FitSummary s;
   s.status = "converged";
-  s.identifiable = true;
+  s.grade = Grade::not_determined;
+  s.gates = {"wander", "subject_size"};
+  s.results = {
+      {"recoil_time_s", "s", 0.5, 0.25, std::numeric_limits<double>::infinity(), Grade::assumption, "energy"},
+      {"k_muscle", "N/m", unknown, unknown, unknown, Grade::not_determined, "", "it wanders"},
+      {"delta_h_mm", "mm", 4.0, 3.0, 5.0, Grade::determined}};
+  s.headline = {"k_muscle", "recoil_time_s"};
   s.parameters = {estimate("k_elasticity", 16000.0, 100.0, 1e6),
                   estimate("k_muscle", 1.0 / 3.0, 0.25, unknown)};
   s.parameters[0].at_bound = true;
@@ -58,29 +64,31 @@ FitSummary summary() {
 TEST_CASE("The row of a subject holds its estimates, numbers and predictions", "[unit]") {
   const std::string csv = cohort_csv({cohort_row("A", summary()), failed_row("B", "b.csv:3: no \"number\"")});
   CHECK(csv ==
-        "subject,status,identifiable,"
+        "subject,status,grade,gates,"
+        "k_muscle,k_muscle_lower95,k_muscle_upper95,k_muscle_grade,"
+        "recoil_time_s,recoil_time_s_lower95,recoil_time_s_upper95,recoil_time_s_grade,"
         "k_elasticity,k_elasticity_lower95,k_elasticity_upper95,k_elasticity_at_bound,"
-        "k_muscle,k_muscle_lower95,k_muscle_upper95,k_muscle_at_bound,"
         "ratio,ratio_lower95,ratio_upper95,ratio_at_bound,"
         "nrmse_percent,baseline_nrmse_percent,tidal_volume_measured_ml,breaths_used,breaths_rejected,"
         "paralysed_delta_v_ml,paralysed_delta_v_ml_lower95,paralysed_delta_v_ml_upper95,"
-        "paralysed_delta_v_ml_at_bound,"
-        "paralysed_percent,paralysed_percent_lower95,paralysed_percent_upper95,paralysed_percent_at_bound,"
+        "paralysed_percent,paralysed_percent_lower95,paralysed_percent_upper95,"
         "paralysed_failed_draws,verdict,error\n"
-        "A,converged,yes,16000,,,1,0.3333333333333333,0.25,,0,2e-05,1e-05,3e-05,0,"
-        "1.5,,510.00000000000006,5,1,250,240,260,0,50,48,52,0,3,\"Both are determined.\",\n"
-        "B,failed,no" +
-            std::string(26, ',') + ",,\"b.csv:3: no \"\"number\"\"\"\n");
+        "A,converged,not_determined,\"wander subject_size\",,,,not_determined,0.5,0.25,,assumption,"
+        "16000,,,1,2e-05,1e-05,3e-05,0,"
+        "1.5,,510.00000000000006,5,1,250,240,260,50,48,52,3,\"Both are determined.\",\n"
+        "B,failed,," +
+            std::string(28, ',') + ",,\"b.csv:3: no \"\"number\"\"\"\n");
 }
 
 TEST_CASE("A number that one subject lacks is a gap in the table", "[unit]") {
   FitSummary one = summary(), other = summary();
+  one.headline.erase(one.headline.begin());
   one.parameters.erase(one.parameters.begin());
   one.predictions.clear();
   other.ratio.reset();
   const std::string csv = cohort_csv({cohort_row("A", one), cohort_row("B", other)});
-  CHECK(csv.find("identifiable,k_muscle,") != std::string::npos);  // in the order of their first appearance
-  CHECK(csv.find("breaths_rejected,k_elasticity,") != std::string::npos);
+  CHECK(csv.find("gates,recoil_time_s,") != std::string::npos);  // in the order of their first appearance
+  CHECK(csv.find("breaths_rejected,k_muscle,") != std::string::npos);
   const auto commas = [](const std::string& text) { return std::count(text.begin(), text.end(), ','); };
   std::istringstream lines(csv);
   std::string header, a, b;
@@ -93,7 +101,7 @@ TEST_CASE("A number that one subject lacks is a gap in the table", "[unit]") {
 
 TEST_CASE("A stored fit gives back the row and the JSON of the fit bit for bit", "[unit]") {
   const StoredFit fit{summary(), {"breath 3 is odd"}, "f1d0"};
-  const StoredFit back = stored_fit(text_of(fit, {{"schema", "trunk.fit/1"}, {"wall_s", 2.5}}), "A.json");
+  const StoredFit back = stored_fit(text_of(fit, {{"schema", "trunk.fit/2"}, {"wall_s", 2.5}}), "A.json");
   CHECK(back.notes == fit.notes);
   CHECK(back.fingerprint == fit.fingerprint);
   CHECK(cohort_csv({cohort_row("A", back.summary)}) == cohort_csv({cohort_row("A", fit.summary)}));
@@ -106,6 +114,8 @@ TEST_CASE("A stored fit that lacks optional parts gives back that it lacks them"
   s.median_latency_ms.reset();
   s.predictions.clear();
   s.parameters.clear();
+  s.results.clear();
+  s.headline.clear();
   const StoredFit back = stored_fit(text_of({s, {}, ""}, Json::object()), "A.json");
   CHECK_FALSE(back.summary.ratio);
   CHECK_FALSE(back.summary.median_latency_ms);
@@ -115,7 +125,7 @@ TEST_CASE("A stored fit that lacks optional parts gives back that it lacks them"
 
 TEST_CASE("What is no stored fit is refused with the name of its file", "[unit]") {
   Json other_type = Json::parse(text_of({summary(), {}, ""}, Json::object()));
-  other_type["identifiable"] = "yes";
+  other_type["headline"] = "yes";
   Json lacking = Json::parse(text_of({summary(), {}, ""}, Json::object()));
   lacking.erase("verdict");
   for (const std::string& text : {std::string("{"), std::string(), std::string("[1, 2]"), std::string("{}"),

@@ -2,6 +2,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <csignal>
 #include <cstdlib>
 #include <thread>
@@ -67,7 +68,9 @@ TEST_CASE("A run is read back as it was written", "[results]") {
 TEST_CASE("A fit gives its best parameters, and its inspection shows their uncertainty", "[results]") {
   const TemporaryFolder folder;
   const fs::path path = folder / "fit.h5";
-  write_fit(path, sample_fit());
+  FitRecord fit = sample_fit();
+  fit.gates.clear();  // beside a gate no parameter is a result
+  write_fit(path, fit);
   const auto parameters = read_parameters(path);
   REQUIRE(parameters.size() == 3);
   CHECK(parameters[0].name == "k_elasticity");
@@ -78,6 +81,46 @@ TEST_CASE("A fit gives its best parameters, and its inspection shows their uncer
   CHECK_THAT(text, Contains("best_run/particles/trajectory/position/value") && Contains("[70, 3, 3]"));
   CHECK_THAT(inspection_json(path), Contains("\"stderr\": 20.0") && Contains("\"kind\": \"fit\""));
   CHECK_THAT(error_of<InputError>([&] { read_stored_run(path); }), Contains("is a fit; expected a run"));
+}
+
+TEST_CASE("The results of a fit come back with grades, limits, gates and straight lines", "[results]") {
+  const TemporaryFolder folder;
+  const fs::path path = folder / "fit.h5";
+  const FitRecord fit = sample_fit();
+  write_fit(path, fit);
+  const FitRecord back = read_fit(path);
+  CHECK(back.grade == "not_determined");
+  CHECK(back.input == "breath ΔV.csv");
+  REQUIRE(back.results.size() == 3);
+  const FitRecord::Result &recoil = back.results[0], &muscle = back.results[1];
+  CHECK(recoil.name == "recoil_time_s");
+  CHECK(recoil.value == 0.5);
+  CHECK(recoil.lower95 == 0.2);
+  CHECK(std::isinf(recoil.upper95));
+  CHECK(recoil.assumption == "the airway takes 40 %");
+  CHECK(recoil.meaning == "the time in which volume falls");
+  CHECK(recoil.headline == 2);
+  CHECK(std::isnan(muscle.value));
+  CHECK(muscle.unit == "N m-1");
+  CHECK(muscle.grade == "not_determined");
+  CHECK(muscle.reason == "not driven by a muscle?");
+  REQUIRE(back.gates.size() == 2);
+  CHECK(back.gates[1].name == "wander");
+  CHECK(back.gates[1].sentence == "its level wanders");
+  REQUIRE(back.straight.size() == 1);
+  CHECK(back.straight[0].upper95 == 490);
+  CHECK(back.straight_nrmse_percent == 2.5);
+  CHECK(back.profiles[0].threshold95 == 4.5);
+
+  const std::string text = inspection_text(path);
+  CHECK_THAT(text, !Contains("± 20") && Contains("4000 (of the simulation, not a result: a gate"));
+  CHECK_THAT(text, Contains("0.5 [0.2, inf] s, assumption: the airway takes 40 %") &&
+                       Contains("withheld, not_determined: gate machine_driven\n") &&
+                       Contains("gate wander: its level wanders") && Contains("note: no profiles") &&
+                       Contains("straight lines (residual 2.5 %") && Contains("breath ΔV.csv"));
+  CHECK_THAT(inspection_json(path), Contains("\"gates\": [\n    \"machine_driven\",\n    \"wander\"") &&
+                                        Contains("\"grade\": \"not_determined\"") &&
+                                        Contains("\"nrmse_percent\": 2.5"));
 }
 
 TEST_CASE("A sweep counts its runs and stays readable without its run files", "[results]") {

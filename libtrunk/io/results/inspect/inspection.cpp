@@ -50,10 +50,14 @@ void add_run(hid_t root, Inspection& file) {
 
 void add_fit(hid_t root, Inspection& file) {
   const hdf5::Group result(H5Gopen2(root, "result", H5P_DEFAULT), "open result");
+  if (hdf5::has_link(root, "results")) {
+    add_texts(hdf5::open_group(root, "results"), {"grade"}, file.heading);
+    add_texts(hdf5::open_group(root, "problem"), {"input"}, file.heading);
+  }
   add_texts(result, {"verdict", "stop_reason", "algorithm"}, file.heading);
-  FitRecord fit;
-  read_estimates(root, fit);
-  file.fitted = std::move(fit.parameters);
+  read_estimates(root, file.fit);
+  read_results_of_fit(root, file.fit);
+  if (hdf5::has_link(result, "notes")) file.fit.notes = hdf5::read_texts(result, "notes");
   file.statistics = read_numbers(root, "result/statistics");
   file.measures = read_numbers(root, "best_run/measures");
 }

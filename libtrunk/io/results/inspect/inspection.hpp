@@ -24,9 +24,9 @@ struct Inspection {
   std::vector<std::pair<std::string, std::string>> heading;     ///< title, status, verdict …
   std::vector<std::pair<std::string, std::string>> provenance;  //
   std::vector<NamedValue> parameters;                           ///< of a run
-  std::vector<FitRecord::Parameter> fitted;                     ///< of a fit
-  std::vector<NamedValue> measures;                             ///< of a run, or of the best run of a fit
-  std::vector<NamedValue> statistics;                           ///< of a fit
+  FitRecord fit;                       ///< of a fit: estimates, results, gates and notes alone
+  std::vector<NamedValue> measures;    ///< of a run, or of the best run of a fit
+  std::vector<NamedValue> statistics;  ///< of a fit
   std::vector<std::pair<std::string, std::size_t>> run_status;  ///< of a sweep: status and number of runs
   std::vector<DatasetInfo> datasets;
 };

@@ -38,13 +38,16 @@ std::string print_numbers(const std::string& title, const std::vector<NamedValue
   return out;
 }
 
-std::string print_fitted(const std::vector<FitRecord::Parameter>& parameters) {
+std::string print_fitted(const FitRecord& fit) {
+  const auto& parameters = fit.parameters;
   if (parameters.empty()) return "";
   std::string out = "parameters: best, standard error, 95 % interval\n";
   for (const auto& parameter : parameters) {
     out += fmt::format("  {:<24} {:>12.6g}", without_controls(parameter.name), parameter.best);
     if (!parameter.free && !parameter.beside)
       out += " fixed";
+    else if (!fit.gates.empty())
+      out += " (of the simulation, not a result: a gate stands against it)";
     else if (std::isfinite(parameter.stderr_))
       out +=
           fmt::format(" ± {:.3g} [{:.6g}, {:.6g}]", parameter.stderr_, parameter.lower95, parameter.upper95);
@@ -53,6 +56,41 @@ std::string print_fitted(const std::vector<FitRecord::Parameter>& parameters) {
     out +=
         fmt::format(" {}{}\n", without_controls(parameter.unit), parameter.at_bound ? ", AT ITS BOUND" : "");
   }
+  return out;
+}
+
+/// Returns what a result stands on, or why it is not determined: a gate by its name, as its sentence stands
+/// above.
+std::string why(const FitRecord::Result& r, const std::vector<FitRecord::Gate>& gates) {
+  for (const FitRecord::Gate& gate : gates)
+    if (gate.sentence == r.reason) return "gate " + gate.name;
+  return r.reason.empty() ? r.assumption : r.reason;
+}
+
+/// "0.503 [0.202, 1.7] s, assumption: the airway …"
+std::string print_result(const FitRecord::Result& r, const std::vector<FitRecord::Gate>& gates) {
+  const std::string unit = r.unit == "1" ? "" : " " + without_controls(r.unit);
+  std::string out = fmt::format("  {:<36} ", without_controls(r.name));
+  if (std::isfinite(r.value))
+    out += fmt::format("{:>10.4g} [{:.4g}, {:.4g}]{}", r.value, r.lower95, r.upper95, unit);
+  else
+    out += fmt::format("{:>10}", "withheld");
+  out += ", " + without_controls(r.grade);
+  const std::string reason = why(r, gates);
+  return out + (reason.empty() ? "" : ": " + without_controls(reason)) + "\n";
+}
+
+std::string print_results(const FitRecord& fit) {
+  std::string out;
+  for (const FitRecord::Gate& gate : fit.gates)
+    out += fmt::format("gate {}: {}\n", without_controls(gate.name), without_controls(gate.sentence));
+  if (!fit.results.empty()) out += "results: value, 95 % interval, grade\n";
+  for (const FitRecord::Result& r : fit.results) out += print_result(r, fit.gates);
+  if (!fit.straight.empty())
+    out += fmt::format("with an activation of straight lines (residual {:.3g} % of tidal volume)\n",
+                       fit.straight_nrmse_percent);
+  for (const FitRecord::Result& r : fit.straight) out += print_result(r, fit.gates);
+  for (const std::string& note : fit.notes) out += "note: " + without_controls(note) + "\n";
   return out;
 }
 
@@ -88,15 +126,39 @@ nlohmann::json to_json(const FitRecord::Parameter& parameter) {
           {"free", parameter.free},       {"beside", parameter.beside}};
 }
 
+nlohmann::json to_json(const std::vector<FitRecord::Result>& results) {
+  const auto text = [](const std::string& words) {
+    return words.empty() ? nlohmann::json(nullptr) : nlohmann::json(words);
+  };
+  nlohmann::json out = nlohmann::json::object();
+  for (const FitRecord::Result& r : results)
+    out[r.name] = {{"value", r.value},         {"unit", r.unit},
+                   {"lower95", r.lower95},     {"upper95", r.upper95},
+                   {"grade", r.grade},         {"assumption", text(r.assumption)},
+                   {"reason", text(r.reason)}, {"meaning", text(r.meaning)}};
+  return out;
+}
+
+/// => the keys that `fit --json` has as well
+void add_fit(const FitRecord& fit, nlohmann::json& out) {
+  out["results"] = to_json(fit.results);
+  out["gates"] = nlohmann::json::array();
+  for (const FitRecord::Gate& gate : fit.gates) out["gates"].push_back(gate.name);
+  out["notes"] = fit.notes;
+  if (fit.straight.empty()) return;
+  out["straight_activation"] = to_json(fit.straight);
+  out["straight_activation"]["nrmse_percent"] = fit.straight_nrmse_percent;
+}
+
 }  // namespace
 
 std::string inspection_text(const std::filesystem::path& path) {
   const Inspection file = layout::inspect_results(path);
   return fmt::format("{}: a {}, {}\n", path.string(), file.kind, file_size(file.file_bytes)) +
-         print_texts("", file.heading) + print_runs(file.run_status) + print_fitted(file.fitted) +
-         print_numbers("parameters", file.parameters) + print_numbers("statistics", file.statistics) +
-         print_numbers("measures", file.measures) + print_texts("made by\n", file.provenance) +
-         print_datasets(file);
+         print_texts("", file.heading) + print_runs(file.run_status) + print_results(file.fit) +
+         print_fitted(file.fit) + print_numbers("parameters", file.parameters) +
+         print_numbers("statistics", file.statistics) + print_numbers("measures", file.measures) +
+         print_texts("made by\n", file.provenance) + print_datasets(file);
 }
 
 std::string inspection_json(const std::filesystem::path& path) {
@@ -105,7 +167,8 @@ std::string inspection_json(const std::filesystem::path& path) {
   out["file_bytes"] = file.file_bytes;
   for (const auto& [name, text] : file.heading) out[name] = text;
   out["parameters"] = to_json(file.parameters);
-  for (const auto& parameter : file.fitted) out["parameters"][parameter.name] = to_json(parameter);
+  for (const auto& parameter : file.fit.parameters) out["parameters"][parameter.name] = to_json(parameter);
+  if (file.kind == "fit") add_fit(file.fit, out);
   out["statistics"] = to_json(file.statistics);
   out["measures"] = to_json(file.measures);
   out["runs"] = nlohmann::json::object();

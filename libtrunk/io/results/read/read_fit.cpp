@@ -80,6 +80,7 @@ void read_profiles(hid_t root, FitRecord& fit) {
       throw hdf5::Error("the columns of profiles/" + name + " differ in length");
     p.lower95 = number_of(limits, "lower95");
     p.upper95 = number_of(limits, "upper95");
+    if (has_link(profiles, name + "/threshold95")) p.threshold95 = number_of(limits, "threshold95");
     fit.profiles.push_back(std::move(p));
   }
 }
@@ -211,6 +212,7 @@ FitRecord read_fit(const std::filesystem::path& path) {
     read_breaths(root, fit);
     read_predictions(root, fit);
     read_result(root, fit);
+    layout::read_results_of_fit(root, fit);
     fit.provenance = layout::read_provenance(root);
     fit.best_run = layout::read_run_content(hdf5::open_group(root, "best_run"));
   });

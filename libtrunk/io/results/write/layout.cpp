@@ -80,7 +80,7 @@ void store(const std::filesystem::path& path, const std::string& kind,
 
 void write_schema(hid_t group, const std::string& kind) {
   write_attribute(group, "schema", "trunk." + kind);
-  write_attribute(group, "schema_version", schema_version);
+  write_attribute(group, "schema_version", schema_version(kind));
 }
 
 void write_provenance(hid_t group, const Provenance& provenance) {

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "results/hdf5/write.hpp"
@@ -11,7 +12,11 @@
 /// Private to the results layer: the parts that several kinds of files share.
 namespace trunk::layout {
 
-inline constexpr std::int32_t schema_version = 1;
+/// The version of the layout that is written. Files of earlier versions are read too. A fit of version 1 has
+/// no results with grades.
+constexpr std::int32_t schema_version(std::string_view kind) {
+  return kind == "fit" ? 2 : 1;
+}
 
 /// Builds a file of a kind ("run", "fit", "sweep") and stores it at `path`. Writes the attribute `complete`
 /// last. Throws std::runtime_error with the path and the cause.
@@ -29,6 +34,9 @@ void write_vtkhdf(hid_t group, const Trajectory& trajectory);
 
 void write_provenance(hid_t group, const Provenance& provenance);
 void write_numbers(hid_t group, const std::vector<NamedValue>& numbers);
+
+/// Writes the results of a fit with their grades, the gates, and what straight lines give.
+void write_results(hid_t root, const FitRecord& fit);
 
 /// Returns whether SOURCE_DATE_EPOCH is set. If it is, values that differ between equal runs (times, host,
 /// command line) are left out.

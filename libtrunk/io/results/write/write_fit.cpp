@@ -35,6 +35,7 @@ std::vector<std::string> file_units(const std::vector<Parameter>& parameters) {
 
 void write_problem(hid_t root, const FitRecord& fit) {
   const Group problem = create_group(root, "problem");
+  if (!fit.input.empty()) hdf5::write_attribute(problem, "input", fit.input);
   write_text(problem, {"scenario_toml", "", "the scenario as it was given"}, fit.scenario_toml);
   const Axis time = write_axis(problem, {"time", "s", "time"}, fit.measured_time_s);
   write_array(problem, {"measured", "ml", "measured volume change"}, layout::to_ml(fit.measured_m3), {time});
@@ -138,7 +139,7 @@ void write_result(hid_t root, const FitRecord& fit) {
                 layout::to_ml(fit.dV_baseline_m3), {time});
   if (!fit.notes.empty()) {
     const Axis note = write_count_axis(result, {"note", "1", "note"}, fit.notes.size());
-    write_array(result, {"notes", "", "what is left out, and why"}, fit.notes, {note});
+    write_array(result, {"notes", "", "on what was read, then on the fit"}, fit.notes, {note});
   }
   layout::write_numbers(create_group(result, "statistics"), fit.statistics);
 }
@@ -172,7 +173,9 @@ void write_profiles(hid_t root, const FitRecord& fit) {
     write_array(one, {"deviance", "1", "-2 log likelihood above its best, AR(1)"}, p.deviance, {value});
     write_flags(write_array(one, {"at_bound", "1", "another parameter is at its bound"}, p.at_bound, {value}),
                 {"inside", "at_bound"});
-    layout::write_numbers(one, {{"lower95", p.unit, p.lower95}, {"upper95", p.unit, p.upper95}});
+    layout::write_numbers(one, {{"lower95", p.unit, p.lower95},
+                                {"upper95", p.unit, p.upper95},
+                                {"threshold95", "1", p.threshold95}});
   }
 }
 
@@ -249,6 +252,7 @@ void write_fit(const std::filesystem::path& path, const FitRecord& fit) {
     write_breaths(root, fit);
     write_predictions(root, fit);
     write_result(root, fit);
+    layout::write_results(root, fit);
     layout::write_provenance(root, fit.provenance);
     write_best_run(root, fit);
   });
