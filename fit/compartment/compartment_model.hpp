@@ -19,8 +19,8 @@ struct TrunkAsCompartment {
   double relaxation = 0.0;  // recoil time = relaxation * damping / k_elasticity
 
   double time_constant_s(const Parameters<double>& p) const { return recoil * p.damping / p.elasticity; }
-  /// Between the two time factors of a trunk, over that with the timing held; and how far either is away.
-  static constexpr double between = 0.96, log_error = 0.04;
+  /// Between the two time factors of a trunk, over that with the timing held; and the deviation of this.
+  static constexpr double between = 0.96, log_error = 0.023;
   double recoil_time_s(const Parameters<double>& p) const { return relaxation * p.damping / p.elasticity; }
   Compartment of(const Parameters<double>& p) const {
     return {time_constant_s(p), gain_m3 * p.muscle / p.elasticity};

@@ -62,6 +62,13 @@ Candidate with_recoil(Candidate begin, const CompartmentFit& fit) {
 
 }  // namespace
 
+std::vector<Prior> priors_of_straight_lines(std::vector<Prior> priors, const std::vector<std::string>& beside) {
+  for (const std::string& name : beside)
+    if (std::none_of(priors.begin(), priors.end(), [&](const Prior& p) { return p.name == name; }))
+      priors.push_back({name, {}, 0.0});
+  return priors;
+}
+
 std::vector<LocalSearch> compartment_searches(const CompartmentFit& fit, const Candidate& begin) {
   const bool recoils = std::count(fit.names.begin(), fit.names.end(), "k_elasticity") > 0;
   const SearchSpace space(
@@ -69,6 +76,7 @@ std::vector<LocalSearch> compartment_searches(const CompartmentFit& fit, const C
       fit.beside, fit.priors);
   CompartmentModel model(fit.compartment, fit.grid, fit.measured);
   Objective objective(model, fit.grid, space, fit.measured, fit.knowledge);
+  objective.use_correlation(fit.correlation);
   const LeastSquares problem = objective.problem();
   Indices held;
   if (recoils && fit.recoil_s) held.push_back(static_cast<Eigen::Index>(*space.find("k_elasticity")));

@@ -43,8 +43,7 @@ void apply_profiles(const std::vector<Profile>& profiles, Loss loss, Uncertainty
 
 void add_uncertainty(const FitProblem& problem, Objective& compartment, const EstimationOptions& options,
                      Estimation& e) {
-  const Eigen::VectorXd residuals = (e.model - compartment.measured()).cwiseQuotient(compartment.deviation());
-  e.local = local_fit(compartment, e.search.best, residuals, problem.breaths);
+  e.local = local_fit(compartment, e.search.best, e.model, problem.breaths);
   if (!e.local) {
     e.notes.push_back("no uncertainty: the compartment has no slopes at the best point");
     return;
@@ -70,6 +69,8 @@ Estimation estimate(const FitProblem& p, const EstimationOptions& options, Ledge
   CompartmentModel stand_in(p.compartment, p.grid, p.measured);
   Objective trunk(simulations, p.grid, p.space, p.measured, p.knowledge),
       compartment(stand_in, p.grid, p.space, p.measured, p.knowledge);
+  trunk.use_correlation(p.correlation);
+  compartment.use_correlation(p.correlation);
   Estimation e;
   e.algorithm = algorithm_of(p, options);
   const bool one_number = p.measured.is_tidal_volume();

@@ -15,6 +15,7 @@ struct FitProblem {
   const TrunkAsCompartment& compartment;
   Parameters<double> begin = {};                  // where a search that is asked for by name begins
   Knowledge knowledge = {};                       // what else is known of a candidate
+  double correlation = 0.0;                       // of neighbouring samples
   std::vector<std::vector<double>> breaths = {};  // [breaths][samples] m3, of which `measured` is the mean
 };
 

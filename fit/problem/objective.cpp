@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "errors/input_error.hpp"
@@ -36,6 +37,15 @@ void Objective::use_loss(Loss loss, double scale) {
   loss_scale_ = scale;
 }
 
+Eigen::MatrixXd Objective::whitened(const Eigen::MatrixXd& volumes_m3) const {
+  Eigen::MatrixXd rows = deviation_.cwiseInverse().asDiagonal() * volumes_m3;
+  if (rho_ == 0.0) return rows;
+  const Eigen::Index later = rows.rows() - 1;
+  const Eigen::MatrixXd fresh = (rows.bottomRows(later) - rho_ * rows.topRows(later)) / std::sqrt(1.0 - rho_ * rho_);
+  rows.bottomRows(later) = fresh;
+  return rows;
+}
+
 /// Returns all residuals that do not come from the curve.
 Eigen::VectorXd Objective::known(const Eigen::VectorXd& x) const {
   const Eigen::VectorXd priors = space_.prior_residuals(x);
@@ -52,8 +62,7 @@ Outcome Objective::judged(const Eigen::VectorXd& x, const LedgerEntry& entry) co
     return {std::nullopt, 100.0 * energy * (2.0 - lasted)};
   }
   const Eigen::VectorXd model = Eigen::VectorXd::Map(entry.values.data(), samples());
-  const Eigen::VectorXd curve =
-      robust_residuals((model - measured_).cwiseQuotient(deviation_), loss_, loss_scale_);
+  const Eigen::VectorXd curve = robust_residuals(whitened(model - measured_), loss_, loss_scale_);
   const Eigen::VectorXd beside = known(x);
   Eigen::VectorXd all(curve.size() + beside.size());
   all << curve, beside;
@@ -95,11 +104,10 @@ Slopes Objective::slopes(const Eigen::VectorXd& x, const std::vector<Eigen::Inde
   if (entry->values.empty()) return std::nullopt;
 
   const double step = 1e-4;  // most priors are linear; for the others this is short
-  const Eigen::VectorXd deviations = (*model(x) - measured_).cwiseQuotient(deviation_);
-  const Eigen::VectorXd weight = robust_slopes(deviations, loss_, loss_scale_).cwiseQuotient(deviation_);
+  const Eigen::VectorXd weight = robust_slopes(whitened(*model(x) - measured_), loss_, loss_scale_);
   Eigen::MatrixXd all(here.residuals->size(), coordinates);
   all.topRows(samples()) =
-      weight.asDiagonal() * Eigen::MatrixXd::Map(entry->values.data(), samples(), coordinates);
+      weight.asDiagonal() * whitened(Eigen::MatrixXd::Map(entry->values.data(), samples(), coordinates));
   for (Eigen::Index i = 0; i < coordinates; ++i) {
     const Eigen::VectorXd aside = step * Eigen::VectorXd::Unit(x.size(), some[static_cast<std::size_t>(i)]);
     all.col(i).tail(all.rows() - samples()) = (known(x + aside) - known(x - aside)) / (2.0 * step);

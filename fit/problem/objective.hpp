@@ -46,6 +46,13 @@ class Objective {
   /// Returns the model at the measured samples, m3; none if the simulation fails.
   std::optional<Eigen::VectorXd> model(const Eigen::VectorXd& x);
 
+  /// Takes neighbouring samples as correlated from now on, AR(1) with this coefficient: the residuals of the
+  /// curve become (r_i - rho r_(i-1)) / sqrt(1 - rho^2), which are independent.
+  void use_correlation(double rho) noexcept { rho_ = rho; }
+
+  /// Returns columns of values at the samples, m3, as residuals are: in deviations and independent. [samples, n]
+  Eigen::MatrixXd whitened(const Eigen::MatrixXd& volumes_m3) const;
+
   /// Applies this loss from now on; see robust_residuals.
   void use_loss(Loss loss, double scale);
 
@@ -71,7 +78,7 @@ class Objective {
   Knowledge knowledge_;
   Eigen::VectorXd measured_, deviation_;
   Loss loss_ = Loss::squares;
-  double loss_scale_ = 1.0;
+  double loss_scale_ = 1.0, rho_ = 0.0;
   std::vector<Evaluation> evaluations_;
   std::map<std::string, bool> asked_;
 };

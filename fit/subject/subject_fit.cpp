@@ -83,6 +83,7 @@ SubjectFit::SubjectFit(ScenarioFile file, Measurement measurement, FitPlan plan)
   hold(draft.fixed, file_);
   begin_ = scenario.parameters;
   if (plan_.timing == Timing::joint) draft.beside = beside_of(draft.fixed, plan_.straight);
+  if (plan_.straight) plan_.priors = priors_of_straight_lines(plan_.priors, draft.beside);
   trunk_ = build_trunk(file_);
   screening_ = screened(measurement_, shape_of(trunk_, trunk_.model.rest).lung_volume);
   if (measurement_.breath) begin_with_compartment(draft);
@@ -130,6 +131,13 @@ void SubjectFit::begin_with_compartment(const Draft& draft) {
     fit.recoil_s = usable_recoil_s(recoil_time(*measurement_.breath));
     straight_ = straight_activation(fit, begin, measurement_.breath->each_m3);
   }
+  if (plan_.straight) {
+    const auto& breath = *measurement_.breath;
+    correlation_ = noise_correlation(
+        Eigen::VectorXd::Map(breath.volume_m3.data(), static_cast<Eigen::Index>(breath.volume_m3.size())),
+        breath.each_m3);
+    fit.correlation = correlation_;
+  }
   if (plan_.timing == Timing::trace) fit.beside = timing_names();
   if (fit.beside.empty()) fit.starts = 1;
   searches_ = trunk::compartment_searches(fit, begin);
@@ -167,6 +175,7 @@ void SubjectFit::calibrate_compartment(const Draft& draft) {
 
 FitProblem SubjectFit::problem() const {
   FitProblem problem{trunk_, file_.scenario.time, *space_, measured_curve_, compartment_, begin_, knowledge_};
+  problem.correlation = correlation_;
   if (measurement_.breath) problem.breaths = measurement_.breath->each_m3;
   return problem;
 }

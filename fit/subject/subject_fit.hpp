@@ -87,6 +87,7 @@ class SubjectFit {
   Parameters<double> begin_;  // of the scenario, before the compartment finds better ones
   TrunkAsCompartment compartment_;
   Knowledge knowledge_;
+  double correlation_ = 0.0;  // of the noise of neighbouring samples; 0: as in a fit of the shape
   Screening screening_;
   std::vector<LocalSearch> searches_;
   std::optional<StraightActivation> straight_;

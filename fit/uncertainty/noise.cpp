@@ -76,6 +76,21 @@ Noise estimate_noise(const Eigen::VectorXd& residuals, const Eigen::MatrixXd& ja
   return noise;
 }
 
+double noise_correlation(const Eigen::VectorXd& mean, const std::vector<std::vector<double>>& breaths) {
+  constexpr std::size_t fewest = 3;
+  constexpr double highest = 0.98;
+  if (breaths.size() < fewest) return 0.0;
+  double squares = 0.0, products = 0.0;
+  const Eigen::Index last = mean.size() - 1;
+  for (const std::vector<double>& volume : breaths) {
+    const Eigen::VectorXd breath = Eigen::VectorXd::Map(volume.data(), mean.size());
+    const Eigen::VectorXd left = breath - breath.dot(mean) / mean.squaredNorm() * mean;
+    squares += left.head(last).squaredNorm();
+    products += left.head(last).dot(left.tail(last));
+  }
+  return squares > 0.0 ? std::clamp(products / squares, 0.0, highest) : 0.0;
+}
+
 double ar1_bic(const Eigen::VectorXd& r, std::size_t parameters) {
   const Eigen::Index n = r.size();
   const auto count = static_cast<double>(n);

@@ -78,10 +78,9 @@ Eigen::MatrixXd apart(const std::vector<std::vector<double>>& breaths, const Obj
   Eigen::MatrixXd all(objective.samples(), count);
   for (Eigen::Index b = 0; b < count; ++b) {
     const auto& volume = breaths[static_cast<std::size_t>(b)];
-    all.col(b) = (Eigen::VectorXd::Map(volume.data(), objective.samples()) - objective.measured())
-                     .cwiseQuotient(objective.deviation());
+    all.col(b) = Eigen::VectorXd::Map(volume.data(), objective.samples()) - objective.measured();
   }
-  return all;
+  return objective.whitened(all);
 }
 
 /// Returns the covariance of an estimate with these rows: noise, and clusters of breaths.
@@ -99,14 +98,14 @@ Eigen::MatrixXd covariance_of(const Eigen::MatrixXd& rows, const Noise& noise,
 }  // namespace
 
 std::optional<LocalFit> local_fit(Objective& objective, const Eigen::VectorXd& x,
-                                  const Eigen::VectorXd& residuals,
+                                  const Eigen::VectorXd& volumes,
                                   const std::vector<std::vector<double>>& breaths) {
   const auto rows = jacobian(objective.problem(), x);
   if (!rows) return std::nullopt;
   const Eigen::Index n = objective.samples();
   LocalFit fit;
   fit.x = x;
-  fit.residuals = residuals;
+  fit.residuals = objective.whitened(volumes - objective.measured());
   fit.rows = *rows;
   fit.noise = estimate_noise(fit.residuals, fit.rows.topRows(n));
   fit.breaths = apart(breaths, objective);

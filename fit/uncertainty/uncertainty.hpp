@@ -35,7 +35,7 @@ struct Combination {
 /// The linear model of the fit at its best point, from which all intervals are derived.
 struct LocalFit {
   Eigen::VectorXd x;                // coordinates
-  Eigen::VectorXd residuals;        // [samples] in deviations
+  Eigen::VectorXd residuals;        // [samples] in deviations, whitened
   Eigen::MatrixXd rows;             // d residuals / d x: [samples + priors, coordinates]
   Noise noise;                      // in deviations
   double freedom = 0.0;             // degrees of freedom of intervals
@@ -45,8 +45,8 @@ struct LocalFit {
   Eigen::MatrixXd naive_covariance;
 };
 
-/// Returns the linear model at x, at which the curve has these `residuals` [samples] in deviations; none if
-/// the objective has no slopes there.
+/// Returns the linear model at x, at which the model is `volumes` [samples] m3; none if the objective has no
+/// slopes there.
 ///
 /// The curve is the mean of `breaths` [breaths][samples] m3, and breaths differ by more than the noise of
 /// their mean: each may have its own amplitude and shape. So the covariance is the sum of two. One is that of
@@ -55,7 +55,7 @@ struct LocalFit {
 /// repeats this sum covers the truth in 92 to 100 %, and noise alone in 16 to 92 %.) With one breath there is
 /// the noise alone.
 std::optional<LocalFit> local_fit(Objective& objective, const Eigen::VectorXd& x,
-                                  const Eigen::VectorXd& residuals,
+                                  const Eigen::VectorXd& volumes,
                                   const std::vector<std::vector<double>>& breaths = {});
 
 /// Returns the covariance of x if the coordinate `held` is known; its row and column are 0.

@@ -67,6 +67,7 @@ class Assessment {
     CompartmentModel model(p_.compartment, p_.grid, p_.measured);
     model.correct_at(best_, e_.model);
     Objective objective(model, p_.grid, space_, p_.measured, p_.knowledge);
+    objective.use_correlation(p_.correlation);
     Eigen::VectorXd x = e_.local->x;
     x[held] = std::log(p_.compartment.relaxation * best_.parameters.damping / recoil_s);
     x = objective.problem().inside(x);
@@ -92,7 +93,7 @@ class Assessment {
   /// the sum of squares. `gain` adds the error of the volume's gain.
   FitResult result(const char* name, const char* unit, const Readings& r, bool gain) const {
     FitResult out{name, unit, r.best, unknown, unknown, Grade::assumption};
-    const double error = gain ? in_.gain_error * (r.factor ? 1.0 : std::abs(r.best)) : 0.0;
+    const double error = gain ? volume_error() * (r.factor ? 1.0 : std::abs(r.best)) : 0.0;
     const double spread = std::hypot(quantile_ * r.deviation, normal_quantile * error);
     const auto of = [&](double v) { return r.factor ? std::log(v) : v; };
     const auto back = [&](double v) { return r.factor ? std::exp(v) : v; };
@@ -103,6 +104,10 @@ class Assessment {
     out.meaning = meaning_of(name);
     return out;
   }
+
+  /// Relative deviation of the measured volume: of segmentation and of the compartment, as twins of 12 equal
+  /// breaths show it, and of a gain that differs with the direction of flow.
+  double volume_error() const { return std::hypot(0.01, in_.gain_error); }
 
   void add_parameters() {
     const auto& c = p_.compartment;
@@ -187,7 +192,7 @@ class Assessment {
       const double by_volume = (at(3) - at(0)) / std::log(m[3].measures.delta_v / m[0].measures.delta_v);
       Readings r{at(0), at(1), at(2), std::abs(by_volume) * volume_deviation, false};
       FitResult out = result(name, unit, r, false);
-      const double gain = normal_quantile * in_.gain_error * std::abs(by_volume);
+      const double gain = normal_quantile * volume_error() * std::abs(by_volume);
       out.lower95 = out.value - std::hypot(out.value - out.lower95, gain);
       out.upper95 = out.value + std::hypot(out.upper95 - out.value, gain);
       out.assumption = "the subject's trunk has the shape of the model's";

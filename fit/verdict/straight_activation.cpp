@@ -24,22 +24,26 @@ StraightActivation straight_activation(CompartmentFit fit, const Candidate& begi
   std::erase_if(fit.names, is_shape);
   std::erase_if(fit.beside, is_shape);
   std::erase_if(fit.priors, [](const Prior& p) { return is_shape(p.name); });
+  fit.priors = priors_of_straight_lines(fit.priors, fit.beside);
   fit.knowledge = {};
   fit.recoil_s = {};
+  fit.correlation = noise_correlation(
+      Eigen::VectorXd::Map(fit.measured.delta_v.data(), static_cast<Eigen::Index>(fit.measured.delta_v.size())),
+      breaths);
   const Candidate best = compartment_searches(fit, begin).front().to;
   const SearchSpace space(fit.names, best, fit.beside, fit.priors);
   CompartmentModel model(fit.compartment, fit.grid, fit.measured);
   Objective objective(model, fit.grid, space, fit.measured);
+  objective.use_correlation(fit.correlation);
   SearchOptions options;
   options.max_evaluations = 200;
   const SearchResult found = levenberg_marquardt(objective.problem(), space.start(), options);
-  const Eigen::VectorXd residual_m3 = *objective.model(found.best) - objective.measured();
+  const Eigen::VectorXd volumes = *objective.model(found.best), residual_m3 = volumes - objective.measured();
 
   StraightActivation straight;
   straight.nrmse = std::sqrt(residual_m3.squaredNorm() / static_cast<double>(residual_m3.size())) /
                    fit.measured.tidal_volume();
-  const auto local =
-      local_fit(objective, found.best, residual_m3.cwiseQuotient(objective.deviation()), breaths);
+  const auto local = local_fit(objective, found.best, volumes, breaths);
   if (!local) return straight;
   const Uncertainty u = assess(objective, *local);
   for (const Estimate& e : u.parameters)

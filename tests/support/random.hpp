@@ -26,6 +26,11 @@ class Random {
   double unit() { return static_cast<double>(bits() >> 11) * 0x1p-53; }
   /// In [low, high).
   double between(double low, double high) { return low + (high - low) * unit(); }
+  /// Of a standard normal distribution (Box and Muller 1958).
+  double normal() {
+    const double radius = std::sqrt(-2 * std::log(1 - unit()));
+    return radius * std::cos(2 * std::numbers::pi * unit());
+  }
   /// One of 0..n-1.
   std::size_t below(std::size_t n) { return static_cast<std::size_t>(bits() % n); }
   /// Any finite double, of any size.

@@ -6,6 +6,7 @@
 #include "problem/objective.hpp"
 #include "support/catch.hpp"
 #include "support/temporary_folder.hpp"
+#include "support/trunk_objective.hpp"
 #include "support/trunks.hpp"
 
 using namespace trunk;
@@ -52,8 +53,8 @@ TEST_CASE("An entry of a ledger is checked before it is used", "[unit]") {
   const MeasuredCurve measured{{0.0, 0.1, 0.2}, {0.0, 1e-5, 2e-5}, {}};
   const SearchSpace space({"k_muscle"}, {s.parameters, s.activation});
   Ledger good;
-  Objective first(trunk, s.time, space, measured, good);
-  const auto model = first.model(space.start());
+  test::TrunkObjective first(trunk, s.time, space, measured, good);
+  const auto model = first->model(space.start());
   REQUIRE(model);
   CHECK(first.simulated() == 1);
   const std::string key = ledger_key(space.decode(space.start()));
@@ -62,12 +63,12 @@ TEST_CASE("An entry of a ledger is checked before it is used", "[unit]") {
         LedgerEntry{7, 0.2, 0.0, {}}, LedgerEntry{2, 0.1, 0.0, {0.0, 0.0, 0.0}}}) {
     Ledger ledger;
     ledger.add(key, bad);
-    Objective objective(trunk, s.time, space, measured, ledger);
-    CHECK(*objective.model(space.start()) == *model);
+    test::TrunkObjective objective(trunk, s.time, space, measured, ledger);
+    CHECK(*objective->model(space.start()) == *model);
     CHECK(objective.simulated() == 1);
   }
-  Objective again(trunk, s.time, space, measured, good);
-  CHECK(*again.model(space.start()) == *model);
+  test::TrunkObjective again(trunk, s.time, space, measured, good);
+  CHECK(*again->model(space.start()) == *model);
   CHECK(again.simulated() == 0);
-  CHECK(again.evaluations().size() == 1);  // it was asked for, though not simulated
+  CHECK(again->evaluations().size() == 1);  // it was asked for, though not simulated
 }

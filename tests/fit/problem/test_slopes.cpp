@@ -1,6 +1,7 @@
 #include "dynamics/stability.hpp"
 #include "problem/objective.hpp"
 #include "support/catch.hpp"
+#include "support/trunk_objective.hpp"
 #include "support/trunks.hpp"
 
 using namespace trunk;
@@ -43,10 +44,10 @@ TEST_CASE("The exact slopes of an objective are those of central differences", "
   const std::vector<std::string> names = {"k_elasticity", "k_muscle",        "damping",
                                           "onset",        "fast_fall_level", "shape_rise_3"};
   const SearchSpace space = c.space(names);
-  Objective objective(c.trunk, c.scenario.time, space, c.measured, c.ledger);
+  test::TrunkObjective objective(c.trunk, c.scenario.time, space, c.measured, c.ledger);
   for (const Loss loss : {Loss::squares, Loss::huber, Loss::student}) {
-    objective.use_loss(loss, 1.5);
-    const LeastSquares problem = objective.problem();
+    objective->use_loss(loss, 1.5);
+    const LeastSquares problem = objective->problem();
     REQUIRE(problem.exact_slopes);
     CHECK(apart(problem.exact_slopes(space.start()), jacobian(problem, space.start(), 1e-5)) < 2e-5);
     const LeastSquares part = with_fixed(problem, space.start(), {0, 3});
@@ -59,8 +60,8 @@ TEST_CASE("The exact slope of a tidal volume is that of the curve where it is hi
   Case c;
   c.measured = {{}, {400e-6}, {}};
   const SearchSpace space({"k_muscle"}, {c.scenario.parameters, c.scenario.activation});
-  Objective objective(c.trunk, c.scenario.time, space, c.measured, c.ledger);
-  const LeastSquares problem = objective.problem();
+  test::TrunkObjective objective(c.trunk, c.scenario.time, space, c.measured, c.ledger);
+  const LeastSquares problem = objective->problem();
   CHECK(apart(problem.exact_slopes(space.start()), jacobian(problem, space.start(), 1e-4)) < 1e-5);
 }
 
@@ -69,8 +70,8 @@ TEST_CASE("Slopes are simulated once and kept in the ledger; where the model fai
   Case c;
   c.scenario.time.dt_s = 0.8 * stable_time_step(c.trunk.model, c.scenario.parameters);
   const SearchSpace space = c.space({"k_elasticity", "k_muscle"});
-  Objective objective(c.trunk, c.scenario.time, space, c.measured, c.ledger);
-  const LeastSquares problem = objective.problem();
+  test::TrunkObjective objective(c.trunk, c.scenario.time, space, c.measured, c.ledger);
+  const LeastSquares problem = objective->problem();
   const Slopes first = problem.exact_slopes(space.start());
   const std::size_t simulated = objective.simulated();
   CHECK(*problem.exact_slopes(space.start()) == *first);

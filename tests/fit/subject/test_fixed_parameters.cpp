@@ -55,7 +55,7 @@ TEST_CASE("What fixes no parameter is refused with the option as it was typed", 
                                     {"k_muscle=", "'' is not a number"},
                                     {"k_muscle=soft", "'soft' is not a number"},
                                     {"k_muscle=3 N/m", "'3 N/m' is not a number"},
-                                    {"k_elasticity=399", "399 N/m is out of bounds"},
+                                    {"k_elasticity=19", "19 N/m is out of bounds"},
                                     {"k_elasticity=nan", "nan N/m is out of bounds"},
                                     {"k_elasticity=-4000", "-4000 N/m is out of bounds"}}) {
     INFO(text);
@@ -64,7 +64,7 @@ TEST_CASE("What fixes no parameter is refused with the option as it was typed", 
     CHECK(mistake.found == found);
     CHECK_FALSE(mistake.expected.empty());
   }
-  CHECK(mistake_in_fix("k_elasticity=16001").expected == "400 to 16000 N/m");
+  CHECK(mistake_in_fix("k_elasticity=100001").expected == "20 to 100000 N/m");
   CHECK(mistake_in_fix("strength=3").at == Place{"--fix strength=3"});
   CHECK(mistake_in_fix("strength=3").found.find("'strength'") != std::string::npos);
 }

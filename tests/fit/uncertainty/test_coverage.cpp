@@ -4,6 +4,7 @@
 
 #include "search/minimise.hpp"
 #include "support/catch.hpp"
+#include "support/trunk_objective.hpp"
 #include "support/trunks.hpp"
 #include "uncertainty/bootstrap.hpp"
 #include "uncertainty/likelihood_surface.hpp"
@@ -49,6 +50,10 @@ struct Study {
   }
 };
 
+std::optional<LocalFit> fit_at(Objective& objective, const Eigen::VectorXd& x) {
+  return local_fit(objective, x, *objective.model(x));
+}
+
 struct Counts {
   int repeats = 0, corrected[2] = {}, naive[2] = {}, joint = 0, profile[2] = {};
 };
@@ -60,12 +65,12 @@ Counts coverage(double rho, int repeats) {
   Counts counts;
   for (int k = 0; k < repeats; ++k) {
     const MeasuredCurve measured = study.noisy(rho, engine);
-    Objective objective(study.trunk, study.scenario.time, study.space, measured, study.ledger);
-    const SearchResult best = levenberg_marquardt(objective.problem(), study.space.start(), {});
+    test::TrunkObjective objective(study.trunk, study.scenario.time, study.space, measured, study.ledger);
+    const SearchResult best = levenberg_marquardt(objective->problem(), study.space.start(), {});
     REQUIRE(best.converged);
-    const auto fit = local_fit(objective, best.best);
+    const auto fit = fit_at(*objective, best.best);
     REQUIRE(fit);
-    const Uncertainty u = assess(objective, *fit);
+    const Uncertainty u = assess(*objective, *fit);
     for (std::size_t i = 0; i < 2; ++i) {
       const Estimate& e = u.parameters[i];
       counts.corrected[i] += e.lower95 < truth[i] && truth[i] < e.upper95;
@@ -97,14 +102,14 @@ TEST_CASE("Profile, likelihood surface and bootstrap agree with the local interv
   Study study;
   std::mt19937_64 engine(5);
   const MeasuredCurve measured = study.noisy(0.0, engine);
-  Objective objective(study.trunk, study.scenario.time, study.space, measured, study.ledger);
-  const SearchResult best = levenberg_marquardt(objective.problem(), study.space.start(), {});
-  const auto fit = local_fit(objective, best.best);
+  test::TrunkObjective objective(study.trunk, study.scenario.time, study.space, measured, study.ledger);
+  const SearchResult best = levenberg_marquardt(objective->problem(), study.space.start(), {});
+  const auto fit = fit_at(*objective, best.best);
   REQUIRE(fit);
-  const Uncertainty u = assess(objective, *fit);
-  const auto all = profiles(objective, *fit);
-  const LikelihoodSurface surface = likelihood_surface(objective, *fit, 11);
-  const Bootstrap boot = bootstrap(objective, *fit, 200, 1);
+  const Uncertainty u = assess(*objective, *fit);
+  const auto all = profiles(*objective, *fit);
+  const LikelihoodSurface surface = likelihood_surface(*objective, *fit, 11);
+  const Bootstrap boot = bootstrap(*objective, *fit, 200, 1);
   CHECK(surface.closed);
   for (std::size_t i = 0; i < 2; ++i) {
     const Estimate& e = u.parameters[i];

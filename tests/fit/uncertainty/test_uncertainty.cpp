@@ -7,7 +7,6 @@
 #include "problem/measured_curve.hpp"
 #include "support/catch.hpp"
 #include "uncertainty/uncertainty.hpp"
-#include "uncertainty/verdict.hpp"
 
 using namespace trunk;
 
@@ -133,67 +132,6 @@ TEST_CASE("Robust losses keep small residuals and weigh outliers less", "[unit]"
   CHECK(median_deviation(Eigen::Vector3d(-2.0, 1.0, 100.0)) == Approx(2.9652));
 }
 
-TEST_CASE("The verdict names what is determined and what is not", "[unit]") {
-  Uncertainty u;
-  u.parameters = {{"k_elasticity", "N/m", 4000, 3000, 800, 20000, false, false, {}},
-                  {"k_muscle", "N/m", 28, 21, 6, 140, false, false, {}}};
-  u.ratio = {"k_muscle/k_elasticity", "1", 0.007, 1e-5, 0.00698, 0.00702, false, true, {}};
-  const std::string text = verdict_of(u);
-  CHECK_THAT(text,
-             Contains("This trace determines only the ratio: k_muscle/k_elasticity = 0.007 within 0.29 %"));
-  CHECK_THAT(text, Contains("It does not determine: k_elasticity = 4e+03 N/m, anywhere from 8e+02 to 2e+04"));
-  CHECK_THAT(text, !Contains("k_muscle = "));
-
-  u.parameters[0].identifiable = u.parameters[1].identifiable = u.identifiable = true;
-  u.parameters[0].upper95 = 4100;
-  u.parameters[1].upper95 = 28.7;
-  CHECK_THAT(
-      verdict_of(u),
-      Contains("This trace determines, if the damping is as assumed: k_elasticity = 4000 N/m within 2.5 %"));
-
-  Uncertainty two;
-  two.parameters = {{"k_elasticity", "N/m", 4000, 3000, 800, 20000, false, false, {}},
-                    {"damping", "N s/m", 20, 15, 4, 100, false, false, {}}};
-  two.combinations = {{{-0.52, 1.0}, 0.03}, {{1.0, 0.52}, 2.0}};
-  CHECK_THAT(verdict_of(two),
-             Contains("This trace determines only a combination: k_elasticity^-0.52 damping to 3 %"));
-}
-
-TEST_CASE("The verdict says what comes from a bound, an open profile or a prior", "[unit]") {
-  Uncertainty u;
-  u.parameters = {{"k_elasticity", "N/m", 4000, 300, 3500, 4600, false, true, {}},
-                  {"k_muscle", "N/m", 28, 2, 24, 33, false, true, {}}};
-  u.ratio = {"k_muscle/k_elasticity", "1", 0.007, 1e-5, 0.00698, 0.00702, false, true, {}};
-  conclude(u);
-  REQUIRE(u.identifiable);
-
-  Uncertainty open = u;
-  open.parameters[0].identifiable = false;
-  open.parameters[0].open_profile = Interval{3600.0, std::numeric_limits<double>::infinity()};
-  conclude(open);
-  CHECK_FALSE(open.identifiable);
-  CHECK_THAT(open.verdict, Contains("k_elasticity (at least 3.6e+03 N/m, no upper limit found)"));
-  CHECK_THAT(open.verdict, !Contains("4600"));
-
-  Uncertainty stopped = u;
-  stopped.parameters[0].at_bound = true;
-  stopped.parameters[0].identifiable = stopped.parameters[1].identifiable = false;
-  conclude(stopped);
-  CHECK_THAT(stopped.verdict, Contains("This trace determines only the ratio"));
-  CHECK_THAT(stopped.verdict, Contains("k_elasticity (stopped at its bound, 4e+03 N/m)"));
-  CHECK_THAT(stopped.verdict, !Contains("k_muscle = "));
-
-  Uncertainty given = u;
-  given.parameters[0].prior = 0.1;  // the interval is hardly narrower
-  conclude(given);
-  CHECK_THAT(given.verdict, Contains("This trace with the given priors determines"));
-  CHECK_THAT(given.verdict,
-             Contains("Most of what is known about k_elasticity comes from --prior, not from the trace"));
-  given.parameters[0].prior = 1.0;
-  conclude(given);
-  CHECK_THAT(given.verdict, !Contains("Most of"));
-}
-
 TEST_CASE("The one-compartment fit finds its own constants again", "[unit]") {
   const BreathActivation<double> activation;
   const double drive = 1.4e-3, rate = 3.2;
@@ -207,16 +145,7 @@ TEST_CASE("The one-compartment fit finds its own constants again", "[unit]") {
     }
     v += h * (drive * activation(n * h) - rate * v);
   }
-  const OneCompartment fitted = fit_one_compartment(measured, activation);
-  CHECK(fitted.drive == Approx(drive).epsilon(1e-3));
-  CHECK(fitted.rate == Approx(rate).epsilon(1e-3));
-
-  BreathActivation<double> wrong = activation;  // as the volume's own peak and fall would have it
-  wrong.rise_s = 2.15;
-  wrong.fast_fall_s = 0.9;
-  wrong.slow_fall_s = 1.5;
-  const BreathActivation<double> timed = timed_by_one_compartment(measured, wrong);
-  CHECK(timed.rise_s == Approx(2.0).epsilon(0.01));
-  CHECK(timed.fast_fall_s == Approx(0.5).epsilon(0.03));
-  CHECK(timed.slow_fall_s == Approx(2.0).epsilon(0.03));
+  const Compartment fitted = fit_one_compartment(measured, activation, {1e-3, 4.5}).compartment;
+  CHECK(fitted.gain_m3 / fitted.time_constant_s == Approx(drive).epsilon(1e-3));
+  CHECK(1.0 / fitted.time_constant_s == Approx(rate).epsilon(1e-3));
 }
