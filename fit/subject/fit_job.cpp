@@ -180,6 +180,7 @@ void FitJob::store(const FitOutcome& outcome, const std::string& argv) {
   record.input = outcome.input;
   record.notes = outcome.notes;
   add_results(outcome.results, record);
+  add_starts(*fit_, record);
   add_breaths(outcome.breaths, record);
   add_predictions(outcome.predictions, record);
   write_fit(request_.output, record);

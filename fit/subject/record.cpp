@@ -41,6 +41,16 @@ void add_results(const FitResults& results, FitRecord& record) {
   record.straight_nrmse_percent = 100.0 * results.straight->nrmse;
 }
 
+void add_starts(const SubjectFit& fit, FitRecord& record) {
+  const auto values = [&](Candidate c) {
+    std::vector<double> all;
+    for (std::size_t i = 0; i < fit.space().size(); ++i) all.push_back(fit.space().parameter(i).field(c));
+    return all;
+  };
+  for (const LocalSearch& s : fit.compartment_searches())
+    record.starts.push_back({values(s.from), values(s.to), s.objective, s.converged});
+}
+
 std::string short_name(const std::string& scenario) {
   return std::filesystem::path(scenario).stem().string();
 }

@@ -12,6 +12,8 @@ std::string short_name(const std::string& scenario);
 /// Returns the median latency, s; NaN if there are no breaths.
 double median_latency_s(const std::vector<BreathRefit>& breaths);
 
+/// => the searches of one compartment
+void add_starts(const SubjectFit& fit, FitRecord& record);
 /// => grade, gates, results, straight lines, verdict
 void add_results(const FitResults& results, FitRecord& record);
 void add_breaths(const std::vector<BreathRefit>& breaths, FitRecord& record);

@@ -39,6 +39,8 @@ class Assessment {
       simulate_points();
       add_parameters();
       add_measures();
+    } else if (e_.search.converged && p_.measured.is_tidal_volume() && e_.uncertainty) {
+      add_one_number();
     }
     withhold();
     results_.grade = worst();
@@ -131,6 +133,17 @@ class Assessment {
     set_reason(ratio, course);
     add(std::move(ratio));
     for (const bool muscle : {false, true}) add_stiffness(muscle, course);
+  }
+
+  /// One number tells one parameter, and nothing of how exactly.
+  void add_one_number() {
+    for (const Estimate& e : e_.uncertainty->parameters) {
+      FitResult r{e.name, e.unit, e.value, unknown, unknown, Grade::assumption};
+      r.assumption = "all else is as in the scenario; one tidal volume shows no spread";
+      r.meaning = meaning_of(e.name);
+      if (e.at_bound) set_reason(r, e.name + " stopped at its bound");
+      add(std::move(r));
+    }
   }
 
   void add_stiffness(bool muscle, const std::string& course) {

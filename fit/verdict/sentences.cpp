@@ -56,6 +56,10 @@ std::string verdict_sentence(const FitResults& results, const FitEvidence& evide
     return "The search did not end, so no result can be trusted. Other starts (--starts 30) or another "
            "algorithm may help.";
   if (!results.gates.empty()) return results.gates.front().sentence;
+  if (evidence.problem.measured.is_tidal_volume())
+    return "One tidal volume gives k_muscle for a trunk and an activation as in the scenario, and it does "
+           "not "
+           "show how exactly. A trace would.";
   const FitResult* recoil = results.find("recoil_time_s");
   const FitResult* inspiration = results.find("r_ei");
   if (recoil == nullptr || inspiration == nullptr) return "";

@@ -170,7 +170,7 @@ class Csv(Afterwards):
         self.assertEqual({f["activity"] for f in self.table("fibres.csv")}, {"0", "0.5", "1"})  # on the midline half
 
     def test_fit(self):
-        json = self.fit("fit.h5", "--surface", "5", "--profiles", "--predict", HEALTHY)
+        json = self.fit("fit.h5", "--surface", "5", "--predict", HEALTHY)
         self.succeeds("export", "fit.h5", "--csv", "out")
         parameters = {p["parameter"]: p for p in self.table("parameters.csv")}
         for name, estimate in json["parameters"].items():
@@ -196,7 +196,28 @@ class Csv(Afterwards):
         self.assertEqual({p["parameter"] for p in self.table("profiles.csv")}, set(json["profiles"]))
         self.assertEqual(len(self.table("starts.csv")), json["starts"])
         prediction = {p["name"]: float(p["value"]) for p in self.table("predictions.csv")}
-        self.assertEqual(prediction["ratio_percent"], json["predictions"][0]["ratio_percent"]["value"])
+        self.assertEqual(prediction["ratio_percent"], json["predictions"]["healthy"]["ratio_percent"]["value"])
+        results = {r["result"]: r for r in self.table("results.csv")}
+        self.assertEqual(list(results), list(json["results"]))
+        straight = {r["result"]: r for r in self.table("straight_activation.csv")}
+        for rows, of_json in ((results, json["results"]), (straight, json["straight_activation"])):
+            for name, row in rows.items():
+                self.assertEqual([float(row[k]) for k in ("value", "lower95")], [of_json[name][k] for k in ("value", "lower95")])
+                self.assertEqual([row[k] for k in ("grade", "assumption", "reason")],
+                                 [of_json[name][k] or "" for k in ("grade", "assumption", "reason")])
+        self.assertEqual([name for name, r in results.items() if int(r["headline"]) > 0], json["headline"])
+        sentences = [(row["what"], row["text"]) for row in self.table("verdict.csv")]
+        self.assertLessEqual({("grade", json["grade"]), ("verdict", json["verdict"]), ("input", json["input"]),
+                              *(("note", note) for note in json["notes"])}, set(sentences))
+
+    def test_a_gate_is_exported_with_its_sentence(self):
+        self.file("small.csv", trace(tidal_ml=40))
+        json = self.succeeds("fit", HEALTHY, "--trace", "small.csv", "-o", "fit.h5", *FAST_FIT, codes=(4,))
+        self.succeeds("export", "fit.h5", "--csv", "out")
+        sentences = {row["what"]: row["text"] for row in self.table("verdict.csv")}
+        self.assertEqual(sentences["gate subject_size"], json["verdict"])
+        recoil = next(r for r in self.table("results.csv") if r["result"] == "recoil_time_s")
+        self.assertEqual([recoil[k] for k in ("value", "lower95", "upper95", "grade")], ["", "", "", "not_determined"])
 
     def test_a_summary_has_no_frames(self):
         self.simulate("a.h5", "--every", "0")

@@ -2,8 +2,9 @@
 
 import os
 import unittest
+from pathlib import Path
 
-from support import TrunkTest, coarse_run
+from support import FAST_FIT, HEALTHY, TrunkTest, coarse_run, trace
 
 try:
     import h5py
@@ -154,6 +155,79 @@ class Hostile(TrunkTest):
         with h5py.File(self.folder / "x.h5", "w", libver="earliest") as file:
             file["b"] = 2
         self.refused_by_all("of another program; expected")
+
+
+class FitFiles(TrunkTest):
+    """Fits that an earlier program wrote are read; a fit of this one without its results is not."""
+
+    fit = b""
+
+    def setUp(self):
+        super().setUp()
+        if not FitFiles.fit:
+            self.file("t.csv", trace())
+            self.succeeds("fit", HEALTHY, "--trace", "t.csv", "-o", "f.h5", *FAST_FIT, codes=(0, 4))
+            FitFiles.fit = (self.folder / "f.h5").read_bytes()
+        self.file("f.h5", FitFiles.fit)
+
+    def change(self, change):
+        self.file("x.h5", FitFiles.fit)
+        with h5py.File(self.folder / "x.h5", "r+") as file:
+            change(file)
+
+    def test_version_1_is_read_by_all(self):
+        def earlier(file):
+            file.attrs.modify("schema_version", np.int32(1))
+            del file["results"], file["problem"].attrs["input"]
+            for profile in file["profiles"].values():
+                del profile["threshold95"]
+        self.change(earlier)
+        kept = self.succeeds("inspect", "x.h5")
+        self.assertEqual((kept["kind"], kept["results"], kept["gates"]), ("fit", {}, []))
+        self.assertNotIn("grade", kept)
+        now = self.succeeds("inspect", "f.h5")
+        self.assertEqual((kept["parameters"], kept["verdict"]), (now["parameters"], now["verdict"]))
+        self.assertTrue(self.succeeds("replay", "x.h5", "--tolerance", "0")["same"])
+        files = [Path(f).name for f in self.succeeds("export", "x.h5", "--csv", "out")["files"]]
+        self.assertIn("parameters.csv", files)
+        self.assertNotIn("results.csv", files)
+        self.succeeds("report", "x.h5", "-o", "x.html")
+        self.succeeds("report", "x.h5", "f.h5", "-o", "both.html")
+        self.assertTrue(self.succeeds("diff", "x.h5", "f.h5")["same"])
+        again = self.succeeds("fit", HEALTHY, "--tidal-volume-ml", "300", "-o", "g.h5", "--fix", "k_elasticity=@x.h5", *FAST_FIT,
+                              codes=(0, 4))
+        self.assertEqual(set(again["parameters"]), {"k_muscle"})
+        self.assertEqual(self.succeeds("inspect", "g.h5")["parameters"]["k_elasticity"]["value"],
+                         kept["parameters"]["k_elasticity"]["value"])
+        self.succeeds("simulate", HEALTHY, "--from", "x.h5", "-o", "r.h5", *FAST_FIT)
+
+    def refused_by_readers(self, says):
+        for command in (("inspect", "x.h5"), ("export", "x.h5", "--csv", "out"), ("report", "x.h5", "-o", "x.html")):
+            with self.subTest(command[0]):
+                self.refused(*command, says="x.h5: is truncated or damaged: .*" + says)
+
+    def test_damaged_results_are_refused(self):
+        for path in ("results", "results/value", "results/grade", "results/headline", "results/straight_activation/lower95"):
+            with self.subTest(path):
+                def without(file):
+                    del file[path]
+                self.change(without)
+                self.refused_by_readers(path.split("/")[-1])
+        def short(file):
+            del file["results/upper95"]
+            file["results/upper95"] = np.zeros(3)
+        self.change(short)
+        self.refused_by_readers("results/upper95 has the wrong length")
+        def ungraded(file):
+            del file["results"].attrs["grade"]
+        self.change(ungraded)
+        self.refused_by_readers("grade")
+
+    def test_a_later_version_is_refused(self):
+        def later(file):
+            file.attrs.modify("schema_version", np.int32(3))
+        self.change(later)
+        self.refused("inspect", "x.h5", says="x.h5: has version 3 of schema trunk.fit; expected version 1 or 2; use the version")
 
 
 if __name__ == "__main__":

@@ -26,19 +26,18 @@ class Prediction(TrunkTest):
         self.file("t.csv", text or trace())
         fit = self.succeeds("fit", HEALTHY, "--trace", "t.csv", "-o", output, "--scenario", scenario, "--force",
                             *options, codes=FITTED)
-        return fit["predictions"][0]
+        return fit["predictions"]["hemiparalysis_right"]
 
     def test_best_is_the_simulation_from_the_fit_and_within_its_interval(self):
         p = self.predicted(*QUICK, text=noisy(5))
-        run = self.succeeds("simulate", PARALYSED, "-o", "r.h5", "--from", "f.h5", "--set", "time.dt_ms=3",
-                            "--set", "time.duration_s=1.5")
-        own = self.succeeds("simulate", HEALTHY, "-o", "o.h5", "--from", "f.h5", "--set", "time.dt_ms=3",
-                            "--set", "time.duration_s=1.5")
+        run, own = (self.succeeds("simulate", scenario, "-o", name, "--from", "f.h5", "--set", "time.dt_ms=3",
+                                  "--set", "time.duration_s=1.5", "--set", "time.start=periodic")
+                    for scenario, name in ((PARALYSED, "r.h5"), (HEALTHY, "o.h5")))
         volume, ratio = p["delta_v_ml"], p["ratio_percent"]
         self.assertAlmostEqual(volume["value"], run["delta_v_ml"], delta=0.2)  # the breath lasts not quite 1.5 s
         self.assertAlmostEqual(p["own_delta_v_ml"]["value"], own["delta_v_ml"], delta=0.2)
         self.assertAlmostEqual(ratio["value"], 100 * volume["value"] / p["own_delta_v_ml"]["value"], places=6)
-        self.assertEqual((p["draws"], p["failed"], p["name"]), (64, 0, "hemiparalysis_right"))
+        self.assertEqual((p["draws"], p["failed"], p["scenario"]), (64, 0, PARALYSED))
         for one in (volume, ratio, p["own_delta_v_ml"]):
             self.assertTrue(one["lower95"] < one["value"] < one["upper95"], one)
             self.assertTrue(one["lower95"] < one["median"] < one["upper95"], one)
@@ -69,7 +68,7 @@ class Prediction(TrunkTest):
         self.file("t.csv", noisy(10))
         fit = self.succeeds("fit", HEALTHY, "--trace", "t.csv", "-o", "f.h5", "--predict", PARALYSED, "--draws", "1000",
                             *ONE, codes=FITTED)
-        muscle, p = fit["parameters"]["k_muscle"], fit["predictions"][0]
+        muscle, p = fit["parameters"]["k_muscle"], fit["predictions"]["hemiparalysis_right"]
         for end in ("lower95", "upper95"):
             run = self.succeeds("simulate", PARALYSED, "-o", "r.h5", "--from", "f.h5", "--force", "--set", "time.dt_ms=3",
                                 "--set", "time.duration_s=1.5", "--set", f"parameters.k_muscle_N_per_m={muscle[end]}")
@@ -89,7 +88,7 @@ class Prediction(TrunkTest):
         self.file("t.csv", trace())
         fit = self.succeeds("fit", HEALTHY, "--tidal-volume-ml", "300", "-o", "g.h5", "--predict", PARALYSED,
                             *FAST_FIT, codes=FITTED)  # one number has no uncertainty to carry
-        self.assertIsNone(fit["predictions"][0]["delta_v_ml"]["lower95"])
+        self.assertIsNone(fit["predictions"]["hemiparalysis_right"]["delta_v_ml"]["lower95"])
 
     def test_another_trunk_is_pointed_out(self):
         self.file("wide.toml", f'extends = "{PARALYSED}"\n[geometry]\nhalf_width_mm = 170\n')
@@ -181,7 +180,7 @@ class Cohort(TrunkTest):
     def test_one_broken_trace_stops_no_other(self):
         self.list("subject,trace\nA,a.csv\nX,broken.csv\nB,b.csv\nY,absent.csv\n")
         result = self.cohort("--predict", PARALYSED, codes=(3,))
-        self.assertEqual((result["schema"], result["failed"], result["found"]), ("trunk.cohort/1", 2, 0))
+        self.assertEqual((result["schema"], result["failed"], result["found"]), ("trunk.cohort/2", 2, 0))
         by_name = {s["subject"]: s for s in result["subjects"]}
         self.assertEqual(list(by_name), ["A", "X", "B", "Y"])
         self.assertRegex(by_name["X"]["error"], r"\Ain/broken.csv: 2 samples found; [^\n]*")
@@ -191,15 +190,31 @@ class Cohort(TrunkTest):
         for name, file in (("A", "in/a.csv"), ("B", "in/b.csv")):
             alone = self.succeeds("fit", HEALTHY, "--trace", file, "-o", name + ".h5", *ONE, "--predict", PARALYSED,
                                   codes=FITTED)
-            for key in ("status", "parameters", "ratio", "verdict", "predictions"):
+            for key in ("status", "grade", "gates", "headline", "results", "parameters", "verdict", "predictions"):
                 self.assertEqual(by_name[name][key], alone[key])
-            row, p = rows[name], alone["predictions"][0]
-            self.assertEqual((row["status"], row["error"]), (alone["status"], ""))
-            self.assertEqual(float(row["k_muscle_lower95"]), alone["parameters"]["k_muscle"]["lower95"])
+            row, p = rows[name], alone["predictions"]["hemiparalysis_right"]
+            self.assertEqual([row[key] for key in ("status", "grade", "gates", "error")], [alone["status"], alone["grade"], "", ""])
+            self.assertGreaterEqual(len(alone["headline"]), 5)
+            for result in alone["headline"]:
+                for end in ("", "_lower95", "_upper95"):
+                    self.assertEqual(float(row[result + end]), alone["results"][result][end.strip("_") or "value"], result)
+                self.assertEqual(row[result + "_grade"], alone["results"][result]["grade"])
             self.assertEqual(float(row["nrmse_percent"]), alone["nrmse_percent"])
             self.assertEqual(float(row["hemiparalysis_right_delta_v_ml_upper95"]), p["delta_v_ml"]["upper95"])
             self.assertEqual(float(row["hemiparalysis_right_percent"]), p["ratio_percent"]["value"])
-        self.assertEqual((rows["X"]["status"], rows["X"]["k_muscle"]), ("failed", ""))
+        self.assertEqual([rows["X"][key] for key in ("status", "grade", "k_muscle")], ["failed", "", ""])
+
+    def test_a_gate_withholds_in_the_table_too(self):
+        self.file("in/b.csv", trace(tidal_ml=40))  # 0.8 % of this trunk's end-expiratory volume
+        self.list("subject,trace\nA,a.csv\nB,b.csv\n")
+        result = self.cohort(codes=(4,), options_for_all=QUICK)
+        row = self.rows()["B"]
+        self.assertEqual((row["grade"], row["gates"], row["k_muscle"], row["recoil_time_s_upper95"]),
+                         ("not_determined", "subject_size", "", ""))
+        self.assertEqual(row["k_muscle_grade"], "not_determined")
+        self.assertIsNone(result["subjects"][1]["results"]["k_muscle"]["value"])
+        shown = self.trunk("fit", HEALTHY, "--cohort", "in/list.csv", "-o", "d", *QUICK).out
+        self.assertRegex(shown, r"(?m)^  B +not_identifiable +not_determined +withheld +withheld")
 
     def test_what_is_done_is_not_done_again(self):
         self.list("subject,trace\nA,a.csv\nB,b.csv\n")

@@ -77,7 +77,8 @@ class Fit(TrunkTest):
             self.assertEqual([estimate[end] for end in ("value", "lower95", "upper95")],
                              [fit["results"][name][end] for end in ("value", "lower95", "upper95")])
         self.assertLess(fit["nrmse_percent"], 5)
-        self.assertLess(fit["baseline_nrmse_percent"], 1)  # the trace is that model's own
+        by_trace = self.fit("--timing", "trace", "--force")
+        self.assertLess(by_trace["baseline_nrmse_percent"], 0.5)  # the trace is that model's own
 
     def test_the_tidal_volume_is_the_one_breaths_shows(self):
         shown = self.succeeds("breaths", "t.csv")["tidal_volume_ml"]
@@ -163,7 +164,12 @@ class Fit(TrunkTest):
         fit = self.succeeds("fit", own, "--tidal-volume-ml", "300", "-o", "f.h5")
         self.assertEqual(set(fit["parameters"]), {"k_muscle"})
         self.assertIsNone(fit["parameters"]["k_muscle"]["stderr"])
-        run = self.succeeds("simulate", own, "-o", "r.h5", "--from", "f.h5")
+        self.assertEqual((fit["grade"], fit["headline"], fit["input"]), ("assumption", ["k_muscle"], None))
+        muscle = fit["results"]["k_muscle"]
+        self.assertEqual((muscle["value"], muscle["lower95"]), (fit["parameters"]["k_muscle"]["value"], None))
+        self.assertRegex(muscle["assumption"], "as in the scenario")
+        self.assertRegex(fit["verdict"], "One tidal volume gives k_muscle")
+        run = self.succeeds("simulate", own, "-o", "r.h5", "--from", "f.h5", "--set", "time.start=periodic")
         self.assertAlmostEqual(run["delta_v_ml"], 300, delta=1)
         for volume in ("5", "-300", "0.3", "nan"):
             self.refused("fit", HEALTHY, "--tidal-volume-ml", volume, "-o", "g.h5", says="expected a number from 10 to 10000")
@@ -275,8 +281,9 @@ class Gated(TrunkTest):
     def test_file(self):
         kept = self.succeeds("inspect", "f.h5")
         self.assertEqual((kept["gates"], kept["grade"]), (["subject_size"], "not_determined"))
+        for result in self.json["results"].values():  # files spell units as UDUNITS does
+            result["unit"] = result["unit"].replace("N/m", "N m-1")
         self.assertEqual(kept["results"], self.json["results"])
-        self.assertEqual(kept["straight_activation"], self.json["straight_activation"])
         text = self.trunk("inspect", "f.h5").out
         self.assertEqual(text.count("gate subject_size: a tidal volume of"), 1)
         self.assertRegex(text, r"recoil_time_s +withheld, not_determined: gate subject_size\n")
@@ -327,7 +334,7 @@ class WithoutScenario(TrunkTest):
 
 
 class Interrupted(TrunkTest):
-    OPTIONS = ("fit", HEALTHY, "--trace", "t.csv", "-o", "f.h5", *FAST_FIT)
+    OPTIONS = ("fit", HEALTHY, "--trace", "t.csv", "-o", "f.h5", "--set", "time.dt_ms=1")
 
     def setUp(self):
         super().setUp()
@@ -336,7 +343,7 @@ class Interrupted(TrunkTest):
     def simulating(self, process):
         """Whether the fit has simulated something by now."""
         ledger = self.folder / "f.h5.ledger"
-        return catches(process) and ledger.exists() and ledger.stat().st_size > 80_000
+        return catches(process) and ledger.exists() and ledger.stat().st_size > 40_000
 
     def test_ctrl_c_leaves_what_the_same_command_goes_on_from(self):
         whole = self.succeeds(*self.OPTIONS, codes=FITTED)

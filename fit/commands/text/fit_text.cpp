@@ -99,10 +99,7 @@ std::string fit_table(const SubjectFit& fit, const FitOutcome& outcome, bool det
                         breath->breaths_used, breath->breaths_rejected, ml_per_m3 * breath->tidal_volume_m3,
                         breath->duration_s);
   text += results_table(results);
-  if (detailed)
-    text += details(fit, outcome);
-  else if (results.headline.empty())
-    text += estimates_table(outcome.estimation);
+  if (detailed) text += details(fit, outcome);
   return text + breaths_table(outcome.breaths) + predictions_table(outcome.predictions) +
          verdict_text(results);
 }

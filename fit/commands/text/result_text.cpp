@@ -104,6 +104,11 @@ std::string grade_text(const FitResult& r, Footnotes& notes) {
   return "not converged";
 }
 
+std::string without_end_blanks(std::string line) {
+  line.erase(line.find_last_not_of(' ') + 1);
+  return line;
+}
+
 /// An interval over four powers of ten says nothing of the value.
 std::string straight_value(const FitResult& r) {
   if (!std::isfinite(r.value)) return "withheld";
@@ -146,14 +151,14 @@ std::string verdict_text(const FitResults& results) {
 std::string results_table(const FitResults& results) {
   if (results.headline.empty()) return "";
   Footnotes notes(results.verdict);
-  std::string text = fmt::format("  {:<42}{:<29}{:<20}{}\n", "", "value (95 % interval)", "grade",
-                                 results.straight ? "straight lines" : "");
+  std::string text = without_end_blanks(fmt::format("  {:<41} {:<28} {:<19} {}", "", "value (95 % interval)",
+                                                    "grade", results.straight ? "straight lines" : "")) +
+                     "\n";
   for (const std::string& name : results.headline) {
     const FitResult& r = *results.find(name);
-    std::string line = fmt::format("  {:<42}{:<29}{:<20}{}", title_of(name), interval_text(r),
-                                   grade_text(r, notes), straight_text(results, name));
-    line.erase(line.find_last_not_of(' ') + 1);
-    text += line + (std::isfinite(r.value) ? fmt::format("\n      {}\n", r.meaning) : "\n");
+    text += without_end_blanks(fmt::format("  {:<41} {:<28} {:<19} {}", title_of(name), interval_text(r),
+                                           grade_text(r, notes), straight_text(results, name)));
+    text += (std::isfinite(r.value) ? fmt::format("\n      {}\n", r.meaning) : "\n");
   }
   text += notes.text();
   if (results.straight && results.gates.empty())

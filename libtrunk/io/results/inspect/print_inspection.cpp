@@ -71,10 +71,12 @@ std::string why(const FitRecord::Result& r, const std::vector<FitRecord::Gate>& 
 std::string print_result(const FitRecord::Result& r, const std::vector<FitRecord::Gate>& gates) {
   const std::string unit = r.unit == "1" ? "" : " " + without_controls(r.unit);
   std::string out = fmt::format("  {:<36} ", without_controls(r.name));
-  if (std::isfinite(r.value))
-    out += fmt::format("{:>10.4g} [{:.4g}, {:.4g}]{}", r.value, r.lower95, r.upper95, unit);
-  else
+  if (!std::isfinite(r.value))
     out += fmt::format("{:>10}", "withheld");
+  else if (std::isnan(r.lower95) || std::isnan(r.upper95))
+    out += fmt::format("{:>10.4g}{}", r.value, unit);
+  else
+    out += fmt::format("{:>10.4g} [{:.4g}, {:.4g}]{}", r.value, r.lower95, r.upper95, unit);
   out += ", " + without_controls(r.grade);
   const std::string reason = why(r, gates);
   return out + (reason.empty() ? "" : ": " + without_controls(reason)) + "\n";
