@@ -55,7 +55,9 @@ def plot_profiles(fit, axes):
     for (name, profile), (color, style) in zip(fit.get("profiles", {}).items(), styles):
         value, deviance = profile["value"][()], profile["deviance"][()]
         # A file of trunk.fit/1 holds no threshold: it is that of chi-squared.
-        axes.axhline(profile["threshold95"][()] if "threshold95" in profile else 3.84, color=GREY, lw=0.8, ls=":")
+        threshold = profile["threshold95"][()] if "threshold95" in profile else 3.84
+        axes.axhline(threshold, color=GREY, lw=0.8, ls=":")
+        axes.set_ylim(0, 5 * threshold)
         axes.plot(100 * (value / value[deviance.argmin()] - 1), deviance, style, color=color, label=name, markersize=4)
     axes.set(title="Profiles; dotted: 95 %", xlabel="difference from the best (%)",
              ylabel="-2 log likelihood above its best")

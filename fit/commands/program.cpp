@@ -51,7 +51,7 @@ std::string program_notes() {
          "  1    `diff` or `replay` found a difference.\n"
          "  2    The input or the command line cannot be used.\n"
          "  3    A simulation diverged, a fit did not converge, or a bound does not hold.\n"
-         "  4    The fit converged, but a free parameter is not identifiable.\n"
+         "  4    The fit converged, but a result that it shows first is not determined.\n"
          "  130  You interrupted the command.";
 }
 

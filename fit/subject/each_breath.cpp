@@ -12,8 +12,8 @@
 namespace trunk {
 namespace {
 
-constexpr Eigen::Index samples = 120;        // of a breath
-constexpr double near_enough = 0.02;  // change of k_muscle that needs no further attempt
+constexpr Eigen::Index samples = 120;  // of a breath
+constexpr double near_enough = 0.02;   // change of k_muscle that needs no further attempt
 constexpr double not_fitted = std::numeric_limits<double>::quiet_NaN();
 
 /// Takes off the line between both ends.
@@ -127,8 +127,8 @@ class ChainFit {
     }
     chain_.accept();
     conclude(muscle + step, slope, wanted - model - step * slope, row);
-    row.nrmse = std::sqrt((wanted - model).squaredNorm() / static_cast<double>(samples)) /
-                breath.tidal_volume_m3;
+    row.nrmse =
+        std::sqrt((wanted - model).squaredNorm() / static_cast<double>(samples)) / breath.tidal_volume_m3;
     row.status = "converged";
   }
 
@@ -137,8 +137,7 @@ class ChainFit {
     const Eigen::MatrixXd rows = slope;
     const Noise noise = estimate_noise(residuals, rows);
     const auto deviation = [&](double noise_deviation, double rho) {
-      return std::sqrt(
-          least_squares_covariance(rows, noise_covariance(samples, noise_deviation, rho))(0, 0));
+      return std::sqrt(least_squares_covariance(rows, noise_covariance(samples, noise_deviation, rho))(0, 0));
     };
     const double t = t_quantile(noise.freedom), corrected = deviation(noise.deviation, noise.rho),
                  naive = deviation(noise.white_deviation, 0.0);

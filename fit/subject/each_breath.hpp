@@ -21,8 +21,8 @@ struct BreathRefit {
 /// chain: each starts with what the one before has left, and its activation cuts the tail of that. Before the
 /// first breath the mean breath repeats. All other mechanical parameters stay as `e` found them, and so does
 /// the shape of the activation; its rise is stretched to the inspiration of each breath, its falls to the
-/// expiration (unless the timing is the scenario's). Breaths that are not kept are simulated too, as a part of
-/// the chain.
+/// expiration (unless the timing is the scenario's). Breaths that are not kept are simulated too, as a part
+/// of the chain.
 ///
 /// A segmented trace is 0 at both ends of every breath. So the line between the same two moments is taken off
 /// the model too: the level at which a breath begins then does not matter, and no baseline is needed.

@@ -113,6 +113,7 @@ OtherScenario other_scenario(const SubjectFit& fit, const std::filesystem::path&
   file.scenario.parameters = own.parameters;
   file.scenario.activation = own.activation;
   file.scenario.time.duration_s = own.time.duration_s;
+  file.scenario.time.start = own.time.start;
   Trunk trunk = build_timed_trunk(file, stiffer_in_searches);
   return {std::move(file), std::move(trunk)};
 }

@@ -113,9 +113,11 @@ void SubjectFit::begin_with_compartment(const Draft& draft) {
   Scenario& scenario = file_.scenario;
   const Candidate begin{scenario.parameters, scenario.activation};
   const Recoil recoil = measure_recoil(trunk_.model, scenario.parameters);
-  // A trunk of which one side is paralysed has no recoil time: its domes sway for longer than its volume lasts.
+  // A trunk of which one side is paralysed has no recoil time: its domes sway for longer than its volume
+  // lasts.
   const double usual = 25.0;
-  const double relaxation = TrunkAsCompartment::between * (recoil.time_factor > 0.0 ? recoil.time_factor : usual);
+  const double relaxation =
+      TrunkAsCompartment::between * (recoil.time_factor > 0.0 ? recoil.time_factor : usual);
   compartment_ = {relaxation, recoil.gain, recoil.gain, relaxation};
   CompartmentFit fit{compartment_, scenario.time, measured_curve_, draft.names, draft.beside, plan_.priors};
   fit.starts = plan_.starts;
@@ -168,7 +170,8 @@ void SubjectFit::calibrate_compartment(const Draft& draft) {
     return std::clamp(value, free_parameter(name).lower, free_parameter(name).upper);
   };
   const double ratio = p.muscle / p.elasticity;
-  if (draft.has("k_muscle")) p.muscle = within("k_muscle", ratio * p.elasticity * compartment_.gain_m3 / gain);
+  if (draft.has("k_muscle"))
+    p.muscle = within("k_muscle", ratio * p.elasticity * compartment_.gain_m3 / gain);
   compartment_.recoil = recoil;
   compartment_.gain_m3 = gain;
 }

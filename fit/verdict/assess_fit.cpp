@@ -173,13 +173,11 @@ class Assessment {
       r.lower95 = recoil_->lower95_s;
       r.upper95 = recoil_->upper95_s;
     }
-    const auto widened = [&](double limit) {
-      return r.value * std::exp(std::copysign(std::hypot(std::log(limit / r.value),
-                                                         normal_quantile * TrunkAsCompartment::log_error),
-                                              limit - r.value));
+    const auto widening = [&](double limit) {
+      return std::exp(std::hypot(std::log(limit / r.value), normal_quantile * TrunkAsCompartment::log_error));
     };
-    r.lower95 = widened(r.lower95);
-    r.upper95 = widened(r.upper95);
+    r.lower95 = r.value / widening(r.lower95);
+    r.upper95 = r.value * widening(r.upper95);
     r.assumption = shape_assumption();
     return r;
   }

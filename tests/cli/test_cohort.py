@@ -46,7 +46,7 @@ class Prediction(TrunkTest):
 
     def test_widens_with_the_noise_and_covers_the_truth(self):
         """The trace is the simulator's own, so that noise is all that is uncertain."""
-        settings = [text for key, value in (("time.dt_ms", 3), ("time.duration_s", 2), ("activation.rise_s", 0.6),
+        settings = [text for key, value in (("time.dt_ms", 3), ("time.duration_s", 2), ("time.start", "periodic"), ("activation.rise_s", 0.6),
                                             ("activation.fast_fall_s", 0.2), ("activation.slow_fall_s", 0.7))
                     for text in ("--set", f"{key}={value}")]
         self.succeeds("simulate", HEALTHY, "-o", "own.h5", *settings)
@@ -71,7 +71,7 @@ class Prediction(TrunkTest):
         muscle, p = fit["parameters"]["k_muscle"], fit["predictions"]["hemiparalysis_right"]
         for end in ("lower95", "upper95"):
             run = self.succeeds("simulate", PARALYSED, "-o", "r.h5", "--from", "f.h5", "--force", "--set", "time.dt_ms=3",
-                                "--set", "time.duration_s=1.5", "--set", f"parameters.k_muscle_N_per_m={muscle[end]}")
+                                "--set", "time.duration_s=1.5", "--set", "time.start=periodic", "--set", f"parameters.k_muscle_N_per_m={muscle[end]}")
             reach = p["delta_v_ml"]["upper95"] - p["delta_v_ml"]["lower95"]
             self.assertAlmostEqual(p["delta_v_ml"][end], run["delta_v_ml"], delta=0.05 * reach)
 

@@ -109,10 +109,14 @@ std::string without_end_blanks(std::string line) {
   return line;
 }
 
-/// An interval over four powers of ten says nothing of the value.
+/// Whether the interval spans more than four powers of ten (our choice).
+bool knows_nothing(const FitResult& r) {
+  return r.lower95 > 0.0 && std::isfinite(r.upper95) && r.upper95 > 1e4 * r.lower95;
+}
+
 std::string straight_value(const FitResult& r) {
   if (!std::isfinite(r.value)) return "withheld";
-  if (!(r.upper95 < 1e4 * r.lower95)) return "not determined";
+  if (knows_nothing(r)) return "not determined";
   return down_to(r.value, last_digit(r).value_or(-2));
 }
 
@@ -135,6 +139,7 @@ std::string title_of(const std::string& result) {
 std::string interval_text(const FitResult& r) {
   if (!std::isfinite(r.value)) return "withheld";
   const std::string unit = r.unit == "1" ? "" : " " + r.unit;
+  if (knows_nothing(r)) return fmt::format("{:.2g}{} (not known)", r.value, unit);
   const auto power = last_digit(r);
   if (!power) return fmt::format("{:.3g}{}", r.value, unit);
   return fmt::format("{} ({} to {}){}", down_to(r.value, *power), down_to(r.lower95, *power),
