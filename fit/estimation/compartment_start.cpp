@@ -62,7 +62,8 @@ Candidate with_recoil(Candidate begin, const CompartmentFit& fit) {
 
 }  // namespace
 
-std::vector<Prior> priors_of_straight_lines(std::vector<Prior> priors, const std::vector<std::string>& beside) {
+std::vector<Prior> priors_of_straight_lines(std::vector<Prior> priors,
+                                            const std::vector<std::string>& beside) {
   for (const std::string& name : beside)
     if (std::none_of(priors.begin(), priors.end(), [&](const Prior& p) { return p.name == name; }))
       priors.push_back({name, {}, 0.0});

@@ -24,14 +24,15 @@ struct CompartmentFit {
   Knowledge knowledge = {};
   std::optional<double> recoil_s = {};  // k_elasticity is held at this recoil time, if it is a name
   bool begin_at_usual_recoil = true;    // otherwise at that of the candidate
-  double correlation = 0.0;  // of neighbouring samples
+  double correlation = 0.0;             // of neighbouring samples
   int starts = 12;
   unsigned seed = 1;
 };
 
 /// Returns the priors, and none for the times and the level that have no prior of their own: straight lines
 /// determine them, and a usual prior would only widen the intervals.
-std::vector<Prior> priors_of_straight_lines(std::vector<Prior> priors, const std::vector<std::string>& beside);
+std::vector<Prior> priors_of_straight_lines(std::vector<Prior> priors,
+                                            const std::vector<std::string>& beside);
 
 /// Searches the compartment's log-posterior from several starts and returns the searches, the best one first.
 /// The first start is `begin`. The others spread the timing of the activation, and the recoil time if it is

@@ -123,8 +123,7 @@ class BreathSearch {
   }
 
   void use_robust_loss() {
-    const Eigen::VectorXd residuals =
-        trunk_.whitened(*trunk_.model(e_.search.best) - trunk_.measured());
+    const Eigen::VectorXd residuals = trunk_.whitened(*trunk_.model(e_.search.best) - trunk_.measured());
     const double scale = std::max(median_deviation(residuals), 1e-9);
     trunk_.use_loss(options_.loss, scale);
     compartment_.use_loss(options_.loss, scale);

@@ -41,7 +41,8 @@ Eigen::MatrixXd Objective::whitened(const Eigen::MatrixXd& volumes_m3) const {
   Eigen::MatrixXd rows = deviation_.cwiseInverse().asDiagonal() * volumes_m3;
   if (rho_ == 0.0) return rows;
   const Eigen::Index later = rows.rows() - 1;
-  const Eigen::MatrixXd fresh = (rows.bottomRows(later) - rho_ * rows.topRows(later)) / std::sqrt(1.0 - rho_ * rho_);
+  const Eigen::MatrixXd fresh =
+      (rows.bottomRows(later) - rho_ * rows.topRows(later)) / std::sqrt(1.0 - rho_ * rho_);
   rows.bottomRows(later) = fresh;
   return rows;
 }

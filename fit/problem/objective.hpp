@@ -50,7 +50,8 @@ class Objective {
   /// curve become (r_i - rho r_(i-1)) / sqrt(1 - rho^2), which are independent.
   void use_correlation(double rho) noexcept { rho_ = rho; }
 
-  /// Returns columns of values at the samples, m3, as residuals are: in deviations and independent. [samples, n]
+  /// Returns columns of values at the samples, m3, as residuals are: in deviations and independent. [samples,
+  /// n]
   Eigen::MatrixXd whitened(const Eigen::MatrixXd& volumes_m3) const;
 
   /// Applies this loss from now on; see robust_residuals.

@@ -26,9 +26,9 @@ double autocorrelation(const Eigen::VectorXd& residuals, Eigen::Index lag);
 /// rho = 0.9, 2 or 7 parameters); with the means they covered it in 95 to 97 %.
 Noise estimate_noise(const Eigen::VectorXd& residuals, const Eigen::MatrixXd& jacobian);
 
-/// Returns the correlation of neighbouring samples in the noise of breaths [breaths][samples], 0 to 0.98: that
-/// of what is left of each breath once the multiple of the mean that fits it best is taken off. It is 0 for
-/// fewer than three breaths, which show no noise.
+/// Returns the correlation of neighbouring samples in the noise of breaths [breaths][samples], 0 to 0.98:
+/// that of what is left of each breath once the multiple of the mean that fits it best is taken off. It is 0
+/// for fewer than three breaths, which show no noise.
 double noise_correlation(const Eigen::VectorXd& mean, const std::vector<std::vector<double>>& breaths);
 
 /// Returns the Bayesian information criterion of a model with these residuals and AR(1) noise: -2 log L at

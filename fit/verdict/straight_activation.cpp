@@ -27,9 +27,10 @@ StraightActivation straight_activation(CompartmentFit fit, const Candidate& begi
   fit.priors = priors_of_straight_lines(fit.priors, fit.beside);
   fit.knowledge = {};
   fit.recoil_s = {};
-  fit.correlation = noise_correlation(
-      Eigen::VectorXd::Map(fit.measured.delta_v.data(), static_cast<Eigen::Index>(fit.measured.delta_v.size())),
-      breaths);
+  fit.correlation =
+      noise_correlation(Eigen::VectorXd::Map(fit.measured.delta_v.data(),
+                                             static_cast<Eigen::Index>(fit.measured.delta_v.size())),
+                        breaths);
   const Candidate best = compartment_searches(fit, begin).front().to;
   const SearchSpace space(fit.names, best, fit.beside, fit.priors);
   CompartmentModel model(fit.compartment, fit.grid, fit.measured);

@@ -1,5 +1,5 @@
-// Twins: recordings that the simulator itself makes, breath after breath, and that a fit is to understand. Do the
-// intervals of the fit hold the truth?
+// Twins: recordings that the simulator itself makes, breath after breath, and that a fit is to understand. Do
+// the intervals of the fit hold the truth?
 
 #include <algorithm>
 #include <cmath>
@@ -106,7 +106,9 @@ void fit_twin(const Twin& twin, const TwinFamily& family, std::uint64_t seed, Tw
   const FitResult *ratio = results.find("k_muscle_over_k_elasticity"),
                   *elasticity = results.find("k_elasticity"), *recoil = results.find("recoil_time_s");
   if (ratio == nullptr || elasticity == nullptr || recoil == nullptr) return;
-  const auto holds = [](const FitResult& r, double truth) { return r.lower95 <= truth && truth <= r.upper95; };
+  const auto holds = [](const FitResult& r, double truth) {
+    return r.lower95 <= truth && truth <= r.upper95;
+  };
   covered.ratio += holds(*ratio, twin.ratio());
   covered.elasticity += holds(*elasticity, twin.scenario.parameters.elasticity);
   const double recoil_s = 24.2 * twin.scenario.parameters.damping / twin.scenario.parameters.elasticity;
@@ -125,10 +127,10 @@ TwinsCovered twin_study(const TwinFamily& family, int repeats) {
   WARN("size CV " << family.size_cv << ", timing CV " << family.timing_cv << ", period " << family.period_s
                   << " s, pause " << family.pause_s << " s: ratio " << percent(covered.ratio)
                   << " % (half width " << 100.0 * median(covered.ratio_width) << " %, bias "
-                  << 100.0 * median(covered.ratio_bias) << " %), k_elasticity "
-                  << percent(covered.elasticity) << " %, recoil time " << percent(covered.recoil)
-                  << " % (half width " << 100.0 * median(covered.recoil_width) << " %), bias "
-                  << 100.0 * median(covered.bias) << " %");
+                  << 100.0 * median(covered.ratio_bias) << " %), k_elasticity " << percent(covered.elasticity)
+                  << " %, recoil time " << percent(covered.recoil) << " % (half width "
+                  << 100.0 * median(covered.recoil_width) << " %), bias " << 100.0 * median(covered.bias)
+                  << " %");
   return covered;
 }
 
@@ -146,7 +148,8 @@ TEST_CASE("The intervals of a twin hold the truth: a slice", "[property][slow]")
   CHECK(c.recoil >= 5);
 }
 
-TEST_CASE("The intervals of twins hold the truth in 90 % of 200 recordings of each family", "[nightly][slow]") {
+TEST_CASE("The intervals of twins hold the truth in 90 % of 200 recordings of each family",
+          "[nightly][slow]") {
   const char* asked = std::getenv("TRUNK_TWINS");
   const int repeats = asked != nullptr ? std::atoi(asked) : 200;
   for (const double size_cv : {0.0, 0.1, 0.2})
