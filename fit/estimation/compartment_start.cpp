@@ -9,6 +9,8 @@
 namespace trunk {
 namespace {
 
+constexpr double rough = 1e-3,
+                 fine = 1e-7;            // tolerances of the objective: to compare optima, and of the best
 constexpr double usual_recoil_s = 0.35;  // our choice: where a search for it begins
 
 /// Returns how far starts are spread on either side of the first one, in coordinates (our choice).
@@ -82,19 +84,33 @@ std::vector<LocalSearch> compartment_searches(const CompartmentFit& fit, const C
   Indices held;
   if (recoils && fit.recoil_s) held.push_back(static_cast<Eigen::Index>(*space.find("k_elasticity")));
   const Indices free = all_but(held, space.size());
-  SearchOptions options;
-  options.objective_tolerance = 1e-6;
-  options.max_evaluations = 150;
-  std::vector<LocalSearch> searches;
-  for (const Eigen::VectorXd& start : starts_of(objective, free, fit.starts, fit.seed)) {
+  const auto searched = [&](const Eigen::VectorXd& start, double tolerance) {
+    SearchOptions options;
+    options.objective_tolerance = tolerance;
+    options.max_evaluations = 150;
+    const LeastSquares part = with_fixed(problem, start, free);
+    SearchResult found = levenberg_marquardt(part, start(free), options);
     Eigen::VectorXd to = start;
-    SearchResult found{true, start(free), problem.at(start).objective, "", 1};
-    if (!free.empty()) found = levenberg_marquardt(with_fixed(problem, start, free), start(free), options);
     to(free) = found.best;
-    searches.push_back({space.decode(start), space.decode(to), found.objective, found.converged});
+    found.best = to;
+    return found;
+  };
+  std::vector<LocalSearch> searches;
+  std::vector<Eigen::VectorXd> ends;
+  for (const Eigen::VectorXd& start : starts_of(objective, free, fit.starts, fit.seed)) {
+    SearchResult found{true, start, problem.at(start).objective, "", 1};
+    if (!free.empty()) found = searched(start, rough);
+    searches.push_back({space.decode(start), space.decode(found.best), found.objective, found.converged});
+    ends.push_back(found.best);
   }
-  std::stable_sort(searches.begin(), searches.end(),
-                   [](const LocalSearch& a, const LocalSearch& b) { return a.objective < b.objective; });
+  const auto better = [](const LocalSearch& a, const LocalSearch& b) { return a.objective < b.objective; };
+  const auto best = std::min_element(searches.begin(), searches.end(), better);
+  if (!free.empty()) {
+    const SearchResult found = searched(ends[static_cast<std::size_t>(best - searches.begin())], fine);
+    best->to = space.decode(found.best);
+    best->objective = std::min(found.objective, best->objective);
+  }
+  std::stable_sort(searches.begin(), searches.end(), better);
   return searches;
 }
 

@@ -75,6 +75,7 @@ class SubjectFit {
   };
   Draft drafted() const;
   void begin_with_compartment(const Draft& draft);
+  void choose_step();
   void calibrate_compartment(const Draft& draft);
   FitProblem problem() const;
 
