@@ -26,7 +26,15 @@ def label(name, unit):
     return name if unit == "1" else f"{name} ({unit.replace('N m-1', 'N/m')})"
 
 
+def is_gated(fit):
+    """Whether something stands against the recording, so that no parameter is a result."""
+    return "results/gates" in fit
+
+
 def plot_surface(fit, axes):
+    if is_gated(fit):
+        axes.text(0.5, 0.5, "withheld:\na gate stands against\nthis recording", ha="center", transform=axes.transAxes)
+        return axes.set_axis_off()
     if "surface" not in fit:
         axes.text(0.5, 0.5, "no surface: not two parameters,\nor left out", ha="center", transform=axes.transAxes)
         return axes.set_axis_off()
@@ -51,6 +59,8 @@ def plot_surface(fit, axes):
 
 
 def plot_profiles(fit, axes):
+    if is_gated(fit):
+        return axes.set_axis_off()
     styles = ((BLUE, "-o"), (ORANGE, "--s"), (GREEN, "-.^")) * 6
     for (name, profile), (color, style) in zip(fit.get("profiles", {}).items(), styles):
         value, deviance = profile["value"][()], profile["deviance"][()]

@@ -15,6 +15,7 @@ function verdict(parent, fit, status) {
   const facts = [
     status && `Status: ${words(status)}`,
     result.grade && `grade: ${words(result.grade)}`,
+    result.gates.length > 0 && `gates: ${result.gates.map(({ name }) => words(name)).join(', ')}`,
     result.input && `recording: ${result.input}`,
     result.algorithm && `search: ${words(result.algorithm)}`,
     result.stop_reason,
@@ -25,7 +26,7 @@ function verdict(parent, fit, status) {
     'Verdict',
     h('p', { class: good ? 'verdict' : 'verdict warned' }, text),
     h('p', null, `${facts.join('; ')}.`),
-    ...result.gates.map(({ name, sentence }) => note(`Gate ${words(name)}: ${sentence}`)),
+    ...result.gates.filter(({ sentence }) => sentence !== text).map(({ name, sentence }) => note(`Gate ${words(name)}: ${sentence}`)),
     ...result.notes.map((text) => note(text)),
     baseline(result.statistics),
   );
@@ -50,6 +51,7 @@ const grades = { determined: 'determined', assumption: 'assumes', not_determined
 /** "0.503 (0.202 to 1.7) s"; a number that a gate withholds is null. */
 function resultText({ value, lower95, upper95, unit }) {
   if (value === null) return 'withheld';
+  if (lower95 > 0 && upper95 > 1e4 * lower95) return `${numberText(value, 2)} ${unitText(unit)} (not known)`;
   const end = (v) => (v === null ? 'no limit' : numberText(v, 3));
   return `${numberText(value, 3)} (${end(lower95)} to ${end(upper95)}) ${unitText(unit)}`.trim();
 }
@@ -58,17 +60,17 @@ function resultText({ value, lower95, upper95, unit }) {
 function results(parent, fit) {
   if (fit.results.length === 0) return;
   const notes = [];
-  const marks = (text) => {
-    const numbers = text.split('; ').map((part) => {
+  const marks = (parts) => {
+    const numbers = parts.map((part) => {
       if (!notes.includes(part)) notes.push(part);
       return notes.indexOf(part) + 1;
     });
-    return `(${numbers.join(', ')})`;
+    return `(${numbers.sort((a, b) => a - b).join(', ')})`;
   };
   const straight = new Map(fit.straight.map((r) => [r.name, r]));
   const rows = fit.results.map((r) => {
-    const why = r.reason || (r.grade === 'assumption' ? r.assumption : '');
-    const cells = [nameText(r.name), resultText(r), [grades[r.grade] ?? words(r.grade), why && marks(why)].filter(Boolean).join(' ')];
+    const why = r.reason ? [r.reason] : r.grade === 'assumption' ? r.assumption.split('; ') : [];
+    const cells = [nameText(r.name), resultText(r), [grades[r.grade] ?? words(r.grade), why.length > 0 && marks(why)].filter(Boolean).join(' ')];
     if (straight.size > 0) cells.push(straight.has(r.name) ? resultText(straight.get(r.name)) : '');
     return [...cells, r.meaning];
   });
@@ -281,8 +283,11 @@ export function fitSections(parent, file, clock) {
   verdict(parent, fit, file.status);
   results(parent, fit);
   curves(parent, fit, clock);
-  parameters(parent, fit);
-  likelihood(parent, fit);
+  if (fit.result.gates.length > 0) section(parent, 'Parameters', note('A gate stands against this recording. The file holds the parameters of the simulation, but they are no results.'));
+  else {
+    parameters(parent, fit);
+    likelihood(parent, fit);
+  }
   convergence(parent, fit);
   breaths(parent, fit);
   predictions(parent, fit);

@@ -1,4 +1,4 @@
-// The likelihood over two parameters: colour by deviance, the joint 95 % region, the ridge, the best point.
+// The likelihood over two parameters: colour by deviance, the joint 95 % region, the best point.
 
 import { css, sizeColour } from './colours.js';
 import { h, note, svg } from './dom.js';
@@ -7,19 +7,11 @@ import { numberText, quantity, withUnit } from './words.js';
 
 const finer = 8; // steps between grid points
 
-/** Catmull and Rom's cubic through the middle two of four values: exact where the values are those of a parabola. */
-const cubic = ([a, b, c, d], s) => b + 0.5 * s * (c - a + s * (2 * a - 5 * b + 4 * c - d + s * (3 * (b - c) + d - a)));
-
-/** A row of values in finer steps; its ends go on as the parabola through the last three. */
+/** A row of values in finer steps, straight between them. */
 function refined(values) {
-  const n = values.length;
-  const at = (i) => {
-    if (i < 0) return 3 * values[0] - 3 * values[1] + values[2];
-    return i < n ? values[i] : 3 * values[n - 1] - 3 * values[n - 2] + values[n - 3];
-  };
-  return Array.from({ length: finer * (n - 1) + 1 }, (_, k) => {
-    const first = Math.min(Math.floor(k / finer), n - 2);
-    return cubic([at(first - 1), at(first), at(first + 1), at(first + 2)], k / finer - first);
+  return Array.from({ length: finer * (values.length - 1) + 1 }, (_, k) => {
+    const [at, share] = [Math.floor(k / finer), (k % finer) / finer];
+    return values[at] + share * ((values[at + 1] ?? 0) - values[at]);
   });
 }
 
@@ -76,13 +68,12 @@ function isLog(axis) {
   return Math.abs(middle - Math.sqrt(first * last)) < Math.abs(middle - (first + last) / 2);
 }
 
-const lowest = (values) => values.reduce((low, v, j) => (v < values[low] ? j : low), 0);
-
 export function surfaceDrawing(surface, fit) {
   const axes = [surface.first.values, surface.second.values];
   const level = surface.threshold95 ?? 5.991;
   const most = 6 * level; // beyond this all is far
-  const coarse = axes[0].map((_, i) => Array.from(surface.deviance.subarray(i * axes[1].length, (i + 1) * axes[1].length)));
+  // The root of the deviance is nearly straight between the points of the grid; the fit finds its region in this way too.
+  const coarse = axes[0].map((_, i) => Array.from(surface.deviance.subarray(i * axes[1].length, (i + 1) * axes[1].length), (d) => Math.sqrt(Math.max(0, d))));
   if (axes.some((a) => a.length < 3) || !coarse.flat().every(Number.isFinite))
     return note('The likelihood surface cannot be drawn: points of its grid failed.');
   const columns = coarse.map(refined); // along the second axis, then along the first
@@ -107,11 +98,9 @@ export function surfaceDrawing(surface, fit) {
       const pad = [half(x(first[0]), x(first[first.length - 1]), first.length), half(y(second[0]), y(second[second.length - 1]), second.length)];
       const [left, right] = [x(first[0]) - pad[0], x(first[first.length - 1]) + pad[0]];
       const [bottom, top] = [y(second[0]) - pad[1], y(second[second.length - 1]) + pad[1]];
-      inner.append(svg('image', { href: picture(grid, shade), x: left, y: top, width: right - left, height: bottom - top, preserveAspectRatio: 'none' }));
-      const lines = contour(grid, level).map((ends) => ends.map(([i, j]) => [x(place(first, i)), y(place(second, j))]));
-      const ridge = grid.map((column, i) => [x(first[i]), y(second[lowest(column)])]);
+      inner.append(svg('image', { href: picture(grid, (root) => shade(root * root)), x: left, y: top, width: right - left, height: bottom - top, preserveAspectRatio: 'none' }));
+      const lines = contour(grid, Math.sqrt(level)).map((ends) => ends.map(([i, j]) => [x(place(first, i)), y(place(second, j))]));
       for (const kind of ['region under', 'region']) inner.append(...lines.map((ends) => path(ends, { class: kind })));
-      for (const kind of ['ridge under', 'ridge']) inner.append(path(ridge, { class: kind }));
       if (best.every(Number.isFinite)) inner.append(svg('circle', { cx: x(best[0]), cy: y(best[1]), r: 5.5, class: 'best-point' }));
     },
   );
@@ -121,11 +110,10 @@ export function surfaceDrawing(surface, fit) {
     h('div', { class: 'legend' }, '0', strip, `${numberText(most, 3)} and more`, h('span', null, 'deviance: −2 log likelihood above its best')),
     key([
       { label: `joint 95 % region (deviance ${numberText(level, 3)})`, colour: 'region', style: 'solid' },
-      { label: `ridge: the best ${surface.second.name} for each ${surface.first.name}`, colour: 'ridge', style: 'dashed' },
       { label: 'best', colour: 'best', style: 'dot' },
     ]),
     h('p', { class: 'small' }, regionText(surface)),
-    h('p', { class: 'small' }, `Cubic between ${axes[0].length} × ${axes[1].length} points of the grid that the fit computed.`),
+    h('p', { class: 'small' }, `The root of the deviance is drawn straight between the ${axes[0].length} × ${axes[1].length} points that the fit computed.`),
   );
   return figure;
 }

@@ -67,11 +67,11 @@ std::string require_schema(const fs::path& path, hid_t root) {
   if (kind != "run" && kind != "fit" && kind != "sweep") {
     refuse(fmt::format("has schema '{}'", schema), "trunk.run, trunk.fit or trunk.sweep");
   }
-  const std::int32_t newest = schema_version(kind);
-  std::string known;
-  for (std::int32_t v = 1; v <= newest; ++v) known += (v > 1 ? " or " : "") + std::to_string(v);
-  if (version != "1" && version != std::to_string(newest)) {
-    refuse(fmt::format("has version {} of schema {}", version, schema), fmt::format("version {}", known),
+  std::vector<std::string> known;
+  for (std::int32_t v = 1; v <= schema_version(kind); ++v) known.push_back(std::to_string(v));
+  if (std::find(known.begin(), known.end(), version) == known.end()) {
+    refuse(fmt::format("has version {} of schema {}", version, schema),
+           fmt::format("version {}", fmt::join(known, " or ")),
            "use the version of trunk that wrote the file");
   }
   if (hdf5::read_attribute_if_any(root, "complete") != "1") {
