@@ -2,6 +2,7 @@
 
 import csv as tables
 import io
+import math
 import random
 import unittest
 
@@ -69,9 +70,15 @@ class Prediction(TrunkTest):
         fit = self.succeeds("fit", HEALTHY, "--trace", "t.csv", "-o", "f.h5", "--predict", PARALYSED, "--draws", "1000",
                             *ONE, codes=FITTED)
         muscle, p = fit["parameters"]["k_muscle"], fit["predictions"]["hemiparalysis_right"]
-        for end in ("lower95", "upper95"):
+        with h5py.File(self.folder / "f.h5") as file:
+            duration = file["best_run/curves/time"][-1]  # not quite 1.5 s
+        self.assertEqual(fit["degrees_of_freedom"], 4)  # of 5 breaths: Student's t reaches 2.776 deviations
+        # The interval of k_muscle holds the error of the gain as well, which a prediction does not.
+        factor = math.exp(2.776 * muscle["stderr"] / muscle["value"])
+        for end, value in (("lower95", muscle["value"] / factor), ("upper95", muscle["value"] * factor)):
             run = self.succeeds("simulate", PARALYSED, "-o", "r.h5", "--from", "f.h5", "--force", "--set", "time.dt_ms=3",
-                                "--set", "time.duration_s=1.5", "--set", "time.start=periodic", "--set", f"parameters.k_muscle_N_per_m={muscle[end]}")
+                                "--set", f"time.duration_s={duration}", "--set", "time.start=periodic", "--set",
+                                f"parameters.k_muscle_N_per_m={value}")
             reach = p["delta_v_ml"]["upper95"] - p["delta_v_ml"]["lower95"]
             self.assertAlmostEqual(p["delta_v_ml"][end], run["delta_v_ml"], delta=0.05 * reach)
 

@@ -7,7 +7,7 @@ import unittest
 from pathlib import Path
 
 import browser
-from support import COARSE, HEALTHY, ROOT, SCENARIOS, TrunkTest, scenario_with
+from support import COARSE, FAST_FIT, HEALTHY, ROOT, SCENARIOS, TrunkTest, scenario_with, trace
 
 try:
     import h5py
@@ -165,7 +165,25 @@ class Page(PageTest):
             self.assertEqual(float(self.cell(name)), float(f"{estimate['value']:.5g}"), name)
         self.assertEqual(page.run("return document.querySelectorAll('.drawing.large image').length"), 1)
         self.assertGreater(page.run("return document.querySelectorAll('.drawing.large .region:not(.under)').length"), 20)
+        recoil = json["results"]["recoil_time_s"]
+        shown = " to ".join(f"{recoil[end]:.3g}" for end in ("lower95", "upper95"))
+        self.assertEqual(self.cell("recoil time"), f"{recoil['value']:.3g} ({shown}) s")
+        self.assertRegex(self.cell("recoil time", 2), r"assumes \(\d\)")
+        self.assertIn(recoil["assumption"], page.run("return document.querySelector('ol').textContent"))
         self.finish("fit")
+
+    def test_a_gate_withholds(self):
+        self.file("small.csv", trace(tidal_ml=40))  # 0.8 % of this trunk's end-expiratory volume
+        self.succeeds("fit", HEALTHY, "--trace", "small.csv", "-o", "f.h5", *FAST_FIT, codes=(4,))
+        page = self.opened("f.h5", name="gate")
+        self.assertEqual((self.cell("recoil time"), self.cell("recoil time", 2)), ("withheld", "not determined (1)"))
+        text = page.run("return document.body.innerText")
+        self.assertIn("gates: subject size", text)
+        self.assertEqual(page.run("return document.querySelectorAll('.drawing.large image').length"), 0)
+        with h5py.File(self.folder / "f.h5") as file:
+            best = dict(zip(file["parameters/name"].asstr()[()], file["parameters/best"][()]))
+        self.assertNotIn(f"{best['k_elasticity']:.5g}", text)
+        self.finish("gate")
 
     def test_sweep_of_60_runs(self):
         self.succeeds("sweep", SCENARIOS / "sweep_paralysis.toml", "-o", "d")
