@@ -27,7 +27,7 @@ def plot_fit(path, curve_axes, residual_axes):
                             label="measured ± 1 SD over breaths")
     curve_axes.plot(time, measured, color=GREY, label="measured, mean breath")
     curve_axes.plot(model_time, model, color=BLUE, ls="--", label="model, fitted")
-    curve_axes.set(title="Fit", ylabel="lung volume above rest (ml)")
+    curve_axes.set(title="Fit", ylabel="lung volume above its start (ml)")
     residual_axes.axhline(0, color=GREY, lw=0.8)
     residual_axes.plot(model_time, residual, color=ORANGE)
     residual_axes.set(xlabel="time (s)", ylabel="model − measured (ml)")
@@ -40,7 +40,7 @@ def plot_runs(paths, curve_axes, activation_axes):
             time = run["curves/time"][()]
             curve_axes.plot(time, run["curves/dV_model"][()], color=color, ls=style, label=path.stem)
             activation_axes.plot(time, run["curves/activation"][()], color=color, ls=style)
-    curve_axes.set(title="Simulated", ylabel="lung volume above rest (ml)")
+    curve_axes.set(title="Simulated", ylabel="lung volume above its start (ml)")
     activation_axes.set(xlabel="time (s)", ylabel="activation A(t)")
     curve_axes.legend(frameon=False, fontsize="small")
 
