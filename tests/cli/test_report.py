@@ -202,13 +202,15 @@ class Fit(ReportTest):
         (file,) = self.report("f.h5").files
         fit = file["fit"]
         self.assertEqual(fit["result"]["verdict"], json["verdict"])
-        self.assertEqual([fit["result"][key] for key in ("grade", "input", "notes")], [json[key] for key in ("grade", "input", "notes")])
+        for key in ("grade", "input", "notes"):
+            self.assertEqual(fit["result"][key], json[key])
         self.assertEqual([r["name"] for r in fit["results"]], list(json["results"]))
         for kind, of_json in (("results", json["results"]), ("straight", json["straight_activation"])):
             for result in fit[kind]:
                 self.assertEqual([result[k] for k in ("value", "lower95", "upper95", "grade")],
                                  [of_json[result["name"]][k] for k in ("value", "lower95", "upper95", "grade")])
-        self.assertEqual(fit["surface"]["first"]["region95"], list(json["surface"]["joint95"][fit["surface"]["first"]["name"]].values()))
+        first = fit["surface"]["first"]
+        self.assertEqual(first["region95"], list(json["surface"]["joint95"][first["name"]].values()))
         for name, estimate in json["parameters"].items():
             shown = named(fit["parameters"], name)
             self.assertEqual([shown[k] for k in ("best", "stderr", "lower95", "upper95", "at_bound")],

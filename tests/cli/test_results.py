@@ -39,7 +39,8 @@ class ResultsTest(TrunkTest):
         beside = tuple("parameters/" + name for name in ("initial", "lower", "upper", "best", "stderr", "lower95", "upper95",
                                                        "naive_lower95", "naive_upper95"))
         beside += ("problem/bounds", "evaluations/x", "starts/from", "starts/to",
-                   *(f"{group}/{name}" for group in ("results", "straight_activation") for name in ("value", "lower95", "upper95")))  # their units stand in a column beside them
+                   *(f"{group}/{name}" for group in ("results", "straight_activation")
+                     for name in ("value", "lower95", "upper95")))  # their units stand in a column beside them
         data = {path: file[path] for path in datasets}
         self.assertEqual([path for path, d in data.items() if d.dtype.kind == "f" and "units" not in d.attrs
                           and not path.endswith(beside)], [])
