@@ -12,8 +12,18 @@ RowEstimate row_estimate(const std::string& name, const Estimate& e) {
           "",   e.at_bound};
 }
 
-RowEstimate row_estimate(const std::string& name, const std::string& unit, const Predicted& p) {
-  return {name, unit, p.value, p.lower95, p.upper95};
+/// Returns the columns of a prediction.
+RowPrediction row_prediction(const PredictionSummary& p) {
+  RowPrediction row{{}, {}, {p.name + "_failed_draws", "1", static_cast<double>(p.failed)}};
+  for (const Predicted& n : p.numbers) {
+    const bool ratio = n.name == "ratio_percent";
+    RowEstimate e{p.name + (ratio ? "_percent" : "_" + n.name), n.unit, n.value, n.lower95, n.upper95};
+    if (ratio)
+      row.ratio = std::move(e);
+    else
+      row.numbers.push_back(std::move(e));
+  }
+  return row;
 }
 
 RowEstimate row_estimate(const FitResult& r) {
@@ -45,10 +55,7 @@ CohortRow cohort_row(const std::string& subject, const FitSummary& fit) {
                  {"tidal_volume_measured_ml", "ml", fit.tidal_volume_measured_ml},
                  {"breaths_used", "1", static_cast<double>(fit.breaths_used)},
                  {"breaths_rejected", "1", static_cast<double>(fit.breaths_rejected)}};
-  for (const PredictionSummary& p : fit.predictions)
-    row.predictions.push_back({row_estimate(p.name + "_delta_v_ml", "ml", p.delta_v_ml),
-                               row_estimate(p.name + "_percent", "percent", p.ratio_percent),
-                               {p.name + "_failed_draws", "1", static_cast<double>(p.failed)}});
+  for (const PredictionSummary& p : fit.predictions) row.predictions.push_back(row_prediction(p));
   return row;
 }
 

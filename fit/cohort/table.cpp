@@ -43,7 +43,7 @@ std::vector<Cell> cells_of(const CohortRow& row) {
   for (const RowEstimate& e : row.estimates) add(e, cells);
   for (const NamedValue& v : row.numbers) cells.push_back(number_cell(v.name, v.value));
   for (const RowPrediction& p : row.predictions) {
-    add(p.delta_v, cells);
+    for (const RowEstimate& e : p.numbers) add(e, cells);
     add(p.ratio, cells);
     cells.push_back(number_cell(p.failed_draws.name, p.failed_draws.value));
   }

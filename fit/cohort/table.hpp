@@ -18,7 +18,8 @@ struct RowEstimate {
 
 /// A scenario that was predicted.
 struct RowPrediction {
-  RowEstimate delta_v, ratio;
+  std::vector<RowEstimate> numbers;
+  RowEstimate ratio;  // of the volumes there and in the scenario of the fit
   NamedValue failed_draws;
 };
 

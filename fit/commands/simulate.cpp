@@ -7,9 +7,10 @@
 #include "math/units.hpp"
 #include "records/provenance.hpp"
 #include "records/run_record.hpp"
-#include "results/read/stored_run.hpp"
+#include "records/stored_subject.hpp"
 #include "results/write/write_run.hpp"
 #include "scenarios/build_trunk.hpp"
+#include "subject/predict.hpp"
 
 namespace trunk {
 namespace {
@@ -20,9 +21,27 @@ struct SimulateRequest {
   std::optional<double> frame_every_ms;
 };
 
-Json summary(const Trunk& trunk, const Scenario& scenario, const BreathRun& run) {
+/// Returns both ends of the interval of every number; none if there is no prediction.
+std::vector<NamedValue> intervals_of(const std::optional<Prediction>& prediction) {
+  std::vector<NamedValue> ends;
+  if (!prediction) return ends;
+  for (const Predicted& p : prediction->numbers) {
+    ends.push_back({p.name + "_lower95", p.unit, p.lower95});
+    ends.push_back({p.name + "_upper95", p.unit, p.upper95});
+  }
+  return ends;
+}
+
+Json summary(const Trunk& trunk, const Scenario& scenario, const BreathRun& run,
+             const std::optional<Prediction>& prediction) {
   Json json{{"schema", "trunk.simulate/1"}, {"status", status_word(run.ending.status)}};
   for (const NamedValue& v : measures_of(run)) json[v.name] = json_number(v.value);
+  if (prediction) {
+    for (const Predicted& p : prediction->numbers) json[p.name] = json_number(p.value);
+    for (const NamedValue& v : intervals_of(prediction)) json[v.name] = json_number(v.value);
+    json["draws"] = prediction->delta_v_draws_m3.size();
+    json["failed_draws"] = prediction->failed;
+  }
   json["particles"] = trunk.model.particles();
   json["triangles"] = trunk.mesh.distinct_triangles();
   json["steps"] = run.ending.steps;
@@ -53,20 +72,62 @@ void note_loads(const Scenario& s, const BreathRun& run) {
         at_end));
 }
 
+std::string table(const BreathRun& run, const std::optional<Prediction>& prediction) {
+  if (!prediction) return aligned(measures_of(run));
+  std::string text;
+  for (const Predicted& p : prediction->numbers)
+    text += fmt::format("  {:<33}  {:>10}  {:>22} {}\n", p.name, shown(p.value, "{:.4g}"),
+                        shown(p.lower95, "{:.4g}") + " to " + shown(p.upper95, "{:.4g}"),
+                        p.unit == "1" ? "" : p.unit);
+  return text;
+}
+
+/// Returns what the draws of the fit do in the scenario; none if there are no draws. What `settings` say
+/// holds for every draw, as --set overrides the fit. Throws Cancelled.
+std::optional<Prediction> predicted(const StoredSubject& subject, const ScenarioFile& file,
+                                    const Trunk& trunk, const std::vector<std::string>& settings) {
+  if (subject.draws.empty()) return std::nullopt;
+  const ScenarioFile& own = *subject.own;
+  const Trunk own_trunk = build_trunk(own);
+  Drawn at_home{{own_trunk, own.scenario.time}, {{own.scenario.parameters, own.scenario.activation}}},
+      there{{trunk, file.scenario.time}, {{file.scenario.parameters, file.scenario.activation}}};
+  for (const Candidate& draw : subject.draws) {
+    ScenarioFile with = file;
+    with.scenario.parameters = draw.parameters;
+    with.scenario.activation = draw.activation;
+    apply_settings(settings, with);
+    at_home.candidates.push_back(draw);
+    there.candidates.push_back({with.scenario.parameters, with.scenario.activation});
+  }
+  Execution execution;
+  execution.cancelled = [] { return interrupted(); };
+  return predict(at_home, {{file.path, there}}, execution).front();
+}
+
 Exit simulate_command(const Common& common, const SimulateRequest& request) {
   ScenarioFile file = read_scenario(request.scenario);
+  StoredSubject subject;
   if (!request.parameters_from.empty()) {
-    adopt_parameters(read_parameters(request.parameters_from), file.scenario);
+    subject = read_stored_subject(request.parameters_from);
+    breathe_as(subject, file.scenario);
     file.inputs.push_back(request.parameters_from);
   }
   apply_settings(request.settings, file);
   if (request.frame_every_ms) file.scenario.frame_every_s = s_per_ms * *request.frame_every_ms;
   require_apart(file.inputs, {request.output});
-  const Trunk trunk = build_timed_trunk(file);
+  const Trunk trunk = build_timed_trunk(file, subject.draws.empty() ? 1.0 : stiffer_in_searches);
   require_writable_output(request.output, common.force);
   const BreathRun run = run_breath(trunk, file.scenario, frame_stride(file.scenario));
-  write_run(request.output, run_record(file, trunk, run, {}, provenance_of(file.inputs, common.argv)));
+  const std::optional<Prediction> prediction = predicted(subject, file, trunk, request.settings);
+  RunRecord record = run_record(file, trunk, run, {}, provenance_of(file.inputs, common.argv));
+  record.intervals = intervals_of(prediction);
+  write_run(request.output, record);
 
+  if (subject.own && !prediction)
+    print_note(
+        fmt::format("note: {} keeps no draws of its parameters, so no number here has an interval; fit "
+                    "the trace again to have them",
+                    request.parameters_from));
   note_loads(file.scenario, run);
   if (run.flipped_triangles > 0)
     print_note(fmt::format(
@@ -74,9 +135,9 @@ Exit simulate_command(const Common& common, const SimulateRequest& request) {
         run.flipped_triangles));
   const std::string text = fmt::format(
       "{}: {}\n{}  {} particles, {} steps of {:g} ms in {:.1f} ms; written to {}", file.scenario.title,
-      run.ending.message, aligned(measures_of(run)), trunk.model.particles(), run.ending.steps,
+      run.ending.message, table(run, prediction), trunk.model.particles(), run.ending.steps,
       ms_per_s * file.scenario.time.dt_s, ms_per_s * run.wall_s, request.output);
-  print_result(common, summary(trunk, file.scenario, run), text);
+  print_result(common, summary(trunk, file.scenario, run, prediction), text);
   return run.ending.completed() ? Exit::done : Exit::not_converged;
 }
 
@@ -97,9 +158,11 @@ void add_simulate(CLI::App& app, Common& common, Run& run) {
       ->type_name("KEY=VALUE")
       ->take_all();
   command
-      ->add_option("--from", request->parameters_from,
-                   "Takes k_elasticity, k_muscle, damping and the course of the activation from this fit or "
-                   "run (HDF5). The geometry stays the scenario's, and --set overrides both.")
+      ->add_option(
+          "--from", request->parameters_from,
+          "Takes k_elasticity, k_muscle, damping and the course of the activation from this fit or "
+          "run (HDF5). A fit also gives the period, and whether breathing repeats, and every measure "
+          "has an interval. The geometry stays the scenario's, and --set overrides both.")
       ->type_name("FILE");
   command
       ->add_option(

@@ -11,6 +11,7 @@
 #include "math/units.hpp"
 #include "records/fit_record.hpp"
 #include "records/provenance.hpp"
+#include "records/stored_subject.hpp"
 #include "results/write/write_fit.hpp"
 #include "subject/record.hpp"
 
@@ -158,9 +159,23 @@ FitOutcome FitJob::carry_out() {
     });
   outcome.results = fit_->results(e);
   adopt_intervals(outcome.results, e);
-  outcome.predictions = predict(*fit_, e, others_, request_.draws);
+  if (outcome.results.posterior)
+    outcome.draws =
+        posterior_draws(*outcome.results.posterior, fit_->space(), static_cast<std::size_t>(request_.draws),
+                        fit_->plan().estimation.search.seed);
+  outcome.predictions = predictions(outcome);
   outcome.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return outcome;
+}
+
+std::vector<Prediction> FitJob::predictions(const FitOutcome& outcome) const {
+  std::vector<Candidate> candidates = {outcome.estimation.best};
+  candidates.insert(candidates.end(), outcome.draws.begin(), outcome.draws.end());
+  std::vector<std::pair<std::string, Drawn>> others;
+  for (const OtherScenario& o : others_)
+    others.emplace_back(o.file.path, Drawn{{o.trunk, o.file.scenario.time}, candidates});
+  return predict({{fit_->trunk(), fit_->file().scenario.time}, candidates}, others,
+                 fit_->plan().estimation.execution);
 }
 
 void FitJob::store(const FitOutcome& outcome, const std::string& argv) {
@@ -183,6 +198,7 @@ void FitJob::store(const FitOutcome& outcome, const std::string& argv) {
   add_starts(*fit_, record);
   add_breaths(outcome.breaths, record);
   add_predictions(outcome.predictions, record);
+  record.draws = draws_record(outcome.draws);
   write_fit(request_.output, record);
   if (!request_.save_scenario.empty()) save_scenario(request_, with_rounded(best.scenario, fit_->space()));
   ledger_->discard();

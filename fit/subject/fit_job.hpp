@@ -33,6 +33,7 @@ class FitJob {
  private:
   Measurement measured();
   void read_others();
+  std::vector<Prediction> predictions(const FitOutcome& outcome) const;
 
   FitRequest request_;
   FitListener listener_;

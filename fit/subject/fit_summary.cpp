@@ -1,14 +1,12 @@
 #include "subject/fit_summary.hpp"
 
+#include <algorithm>
+
 #include "math/units.hpp"
 #include "subject/record.hpp"
 
 namespace trunk {
 namespace {
-
-Predicted scaled(const Predicted& p, double scale) {
-  return {scale * p.value, scale * p.median, scale * p.lower95, scale * p.upper95};
-}
 
 double number_from(const Json& json, const char* key) {
   const Json& value = json.at(key);
@@ -17,33 +15,38 @@ double number_from(const Json& json, const char* key) {
 
 Json to_json(const Predicted& p) {
   return {{"value", json_number(p.value)},
+          {"unit", p.unit},
           {"median", json_number(p.median)},
           {"lower95", json_number(p.lower95)},
           {"upper95", json_number(p.upper95)}};
 }
 
-Predicted predicted_from(const Json& json) {
-  return {number_from(json, "value"), number_from(json, "median"), number_from(json, "lower95"),
+Predicted predicted_from(const std::string& name, const Json& json) {
+  return {name,
+          json.at("unit").get<std::string>(),
+          number_from(json, "value"),
+          number_from(json, "median"),
+          number_from(json, "lower95"),
           number_from(json, "upper95")};
 }
 
 Json to_json(const PredictionSummary& p) {
-  return {{"scenario", p.scenario},
-          {"delta_v_ml", to_json(p.delta_v_ml)},
-          {"own_delta_v_ml", to_json(p.own_delta_v_ml)},
-          {"ratio_percent", to_json(p.ratio_percent)},
-          {"draws", p.draws},
-          {"failed", p.failed}};
+  Json json{{"scenario", p.scenario}};
+  for (const Predicted& number : p.numbers) json[number.name] = to_json(number);
+  json["draws"] = p.draws;
+  json["failed"] = p.failed;
+  return json;
 }
 
 PredictionSummary prediction_from(const std::string& name, const Json& json) {
-  return {name,
-          json.at("scenario").get<std::string>(),
-          predicted_from(json.at("delta_v_ml")),
-          predicted_from(json.at("own_delta_v_ml")),
-          predicted_from(json.at("ratio_percent")),
-          json.at("draws").get<std::size_t>(),
-          json.at("failed").get<int>()};
+  PredictionSummary p{name,
+                      json.at("scenario").get<std::string>(),
+                      {},
+                      json.at("draws").get<std::size_t>(),
+                      json.at("failed").get<int>()};
+  for (const auto& [key, value] : json.items())
+    if (value.is_object()) p.numbers.push_back(predicted_from(key, value));
+  return p;
 }
 
 Estimate estimate_from(const std::string& name, const Json& json) {
@@ -85,14 +88,12 @@ FitResult result_from(const std::string& name, const Json& json) {
 
 }  // namespace
 
+const Predicted& PredictionSummary::operator[](std::string_view number) const {
+  return *std::find_if(numbers.begin(), numbers.end(), [&](const Predicted& p) { return p.name == number; });
+}
+
 PredictionSummary summary_of(const Prediction& p) {
-  return {short_name(p.scenario),
-          p.scenario,
-          scaled(p.delta_v_m3, ml_per_m3),
-          scaled(p.own_m3, ml_per_m3),
-          scaled(p.ratio, 100.0),
-          p.delta_v_draws_m3.size(),
-          p.failed};
+  return {short_name(p.scenario), p.scenario, p.numbers, p.delta_v_draws_m3.size(), p.failed};
 }
 
 FitSummary summary_of(const SubjectFit& fit, const FitOutcome& outcome) {

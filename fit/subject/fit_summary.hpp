@@ -5,13 +5,16 @@
 
 namespace trunk {
 
-/// A prediction in the units that users see.
+/// A prediction without its draws.
 struct PredictionSummary {
-  std::string name;      // the scenario's file without folder and ending
-  std::string scenario;  // its file
-  Predicted delta_v_ml, own_delta_v_ml, ratio_percent;
+  std::string name;                // the scenario's file without folder and ending
+  std::string scenario;            // its file
+  std::vector<Predicted> numbers;  // see Prediction
   std::size_t draws = 0;
   int failed = 0;  // draws of which one of the two simulations did not complete
+
+  /// Returns the number of that name, which must be there.
+  const Predicted& operator[](std::string_view number) const;
 };
 
 /// What a cohort's table and its JSON hold of the fit of one subject, in the units that users see.

@@ -1,6 +1,5 @@
 #include "subject/predict.hpp"
 
-#include <gsl/gsl_cdf.h>
 #include <gsl/gsl_statistics_double.h>
 
 #include <algorithm>
@@ -8,10 +7,11 @@
 #include <limits>
 #include <span>
 
-#include "linear_algebra/decompositions.hpp"
+#include "math/units.hpp"
 #include "parallel/workers.hpp"
+#include "records/run_record.hpp"
+#include "records/stored_subject.hpp"
 #include "scenarios/build_trunk.hpp"
-#include "search/multistart.hpp"
 
 namespace trunk {
 namespace {
@@ -19,77 +19,56 @@ namespace {
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t fewest_draws = 16;  // fewer give no percentile of 2.5 % (our choice)
 
-/// Returns the best point, then the draws.
-std::vector<Candidate> candidates_of(const SearchSpace& space, const Estimation& e, int draws,
-                                     unsigned seed) {
-  std::vector<Candidate> result = {e.best};
-  if (!e.local) return result;
-  const auto n = static_cast<Eigen::Index>(space.size());
-  const SymmetricEigen eigen = symmetric_eigen(e.local->covariance);
-  const Eigen::MatrixXd root = eigen.vectors * eigen.values.cwiseMax(0.0).cwiseSqrt().asDiagonal();
-  const double freedom = e.local->freedom;
-  const LeastSquares cube{{}, Eigen::VectorXd::Zero(n + 1), Eigen::VectorXd::Ones(n + 1)};
-  const Eigen::VectorXd lower = space.lower(), upper = space.upper();
-  for (Eigen::VectorXd part : sobol_starts(cube, static_cast<std::size_t>(draws), seed)) {
-    part = part.cwiseMax(1e-9).cwiseMin(1.0 - 1e-9);
-    // The sequence is most even in its first dimensions: these go where the fit is least certain.
-    const Eigen::VectorXd normal = part.head(n).unaryExpr(&gsl_cdf_ugaussian_Pinv).reverse();
-    const double spread = std::sqrt(freedom / gsl_cdf_chisq_Pinv(part[n], freedom));
-    const Eigen::VectorXd x = e.local->x + spread * (root * normal);
-    result.push_back(space.decode(x.cwiseMax(lower).cwiseMin(upper)));
-  }
-  return result;
-}
+using Row = std::vector<NamedValue>;  // the measures of one candidate
 
-/// Returns the tidal volume of each candidate, m3; NaN if its simulation failed.
-std::vector<double> tidal_volumes(const Trunk& trunk, std::span<const Candidate> candidates,
-                                  const TimeGrid& grid) {
-  std::vector<double> volumes;
-  for (const VolumeCurve& curve : simulate_volumes(trunk, candidates, grid))
-    volumes.push_back(curve.ending.completed() ? *std::max_element(curve.delta_v.begin(), curve.delta_v.end())
-                                               : unknown);
-  return volumes;
-}
-
-struct DrawAt {
-  const Trunk& trunk;
-  const TimeGrid& grid;
-};
-
-/// Returns the tidal volume of every candidate in every place, m3: [places][candidates].
-std::vector<std::vector<double>> all_volumes(const std::vector<DrawAt>& places,
-                                             const std::vector<Candidate>& candidates,
-                                             const Execution& execution) {
-  const std::size_t together = batch_lanes();
+/// Returns the measures of every candidate in every place: [places][candidates].
+std::vector<std::vector<Row>> simulated(const std::vector<const Drawn*>& places, const Execution& execution) {
+  const std::size_t together = batch_lanes(), count = places.front()->candidates.size();
   std::vector<std::size_t> firsts;
-  for (std::size_t i = 0; i < candidates.size(); i += together) firsts.push_back(i);
-  std::vector<std::vector<double>> volumes(places.size(), std::vector<double>(candidates.size(), unknown));
+  for (std::size_t i = 0; i < count; i += together) firsts.push_back(i);
+  std::vector<std::vector<Row>> rows(places.size(), std::vector<Row>(count));
   const auto cancelled = [&] { return execution.cancelled && execution.cancelled(); };
-  using Part = std::pair<std::size_t, std::vector<std::vector<double>>>;
+  using Part = std::pair<std::size_t, std::vector<std::vector<Row>>>;
   work_off<Part>(
       firsts, execution.threads, cancelled,
       [&](std::size_t first) {
-        const auto some = std::span(candidates).subspan(first, std::min(together, candidates.size() - first));
         Part part{first, {}};
-        for (const DrawAt& s : places) part.second.push_back(tidal_volumes(s.trunk, some, s.grid));
+        for (const Drawn* place : places) {
+          const auto some = std::span(place->candidates).subspan(first, std::min(together, count - first));
+          part.second.emplace_back();
+          for (const BreathSummary& breath : summarise_breaths(place->at.trunk, some, place->at.grid))
+            part.second.back().push_back(measures_of(breath));
+        }
         return part;
       },
       [&](Part part) {
         for (std::size_t k = 0; k < places.size(); ++k)
-          std::copy(part.second[k].begin(), part.second[k].end(),
-                    volumes[k].begin() + static_cast<std::ptrdiff_t>(part.first));
+          std::move(part.second[k].begin(), part.second[k].end(),
+                    rows[k].begin() + static_cast<std::ptrdiff_t>(part.first));
       });
   if (cancelled()) throw Cancelled();
-  return volumes;
+  return rows;
 }
 
-/// Returns all values but the first, which belongs to the best point.
+/// Returns one measure of all candidates.
+std::vector<double> column(const std::vector<Row>& rows, std::size_t measure) {
+  std::vector<double> values;
+  for (const Row& row : rows) values.push_back(row[measure].value);
+  return values;
+}
+
+/// Returns all values but the first, which belongs to the best candidate.
 std::vector<double> draws_of(const std::vector<double>& values) {
   return {values.begin() + 1, values.end()};
 }
 
-Predicted predicted(const std::vector<double>& values) {
-  Predicted p{values.front(), unknown, unknown, unknown};
+std::vector<double> volumes_m3(std::vector<double> volumes_ml) {
+  for (double& v : volumes_ml) v *= m3_per_ml;
+  return volumes_ml;
+}
+
+Predicted predicted(const std::string& name, const std::string& unit, const std::vector<double>& values) {
+  Predicted p{name, unit, values.front(), unknown, unknown, unknown};
   std::vector<double> sorted;
   for (const double v : draws_of(values))
     if (std::isfinite(v)) sorted.push_back(v);
@@ -109,11 +88,7 @@ Predicted predicted(const std::vector<double>& values) {
 OtherScenario other_scenario(const SubjectFit& fit, const std::filesystem::path& path,
                              const std::vector<std::string>& settings) {
   ScenarioFile file = read_scenario(path, settings);
-  const Scenario& own = fit.file().scenario;
-  file.scenario.parameters = own.parameters;
-  file.scenario.activation = own.activation;
-  file.scenario.time.duration_s = own.time.duration_s;
-  file.scenario.time.start = own.time.start;
+  breathe_as(fit.file().scenario, file.scenario);
   Trunk trunk = build_timed_trunk(file, stiffer_in_searches);
   return {std::move(file), std::move(trunk)};
 }
@@ -125,25 +100,28 @@ bool same_geometry(const SubjectFit& fit, const OtherScenario& other) {
                     [](const Vec3d& p, const Vec3d& q) { return dot(p - q, p - q) < 1e-12; });
 }
 
-std::vector<Prediction> predict(const SubjectFit& fit, const Estimation& e,
-                                const std::vector<OtherScenario>& others, int draws) {
+std::vector<Prediction> predict(const Drawn& own, const std::vector<std::pair<std::string, Drawn>>& others,
+                                const Execution& execution) {
   if (others.empty()) return {};
-  const EstimationOptions& options = fit.plan().estimation;
-  const std::vector<Candidate> candidates = candidates_of(fit.space(), e, draws, options.search.seed);
-  std::vector<DrawAt> places = {{fit.trunk(), fit.file().scenario.time}};
-  for (const OtherScenario& o : others) places.push_back({o.trunk, o.file.scenario.time});
-  const auto volumes = all_volumes(places, candidates, options.execution);
+  std::vector<const Drawn*> places = {&own};
+  for (const auto& [name, drawn] : others) places.push_back(&drawn);
+  const auto rows = simulated(places, execution);
 
   std::vector<Prediction> result;
-  const std::vector<double>& own = volumes.front();
+  const std::vector<double> own_ml = column(rows.front(), 0);
   for (std::size_t k = 0; k < others.size(); ++k) {
-    const std::vector<double>& theirs = volumes[k + 1];
-    std::vector<double> ratio;
-    for (std::size_t i = 0; i < own.size(); ++i) ratio.push_back(theirs[i] / own[i]);
-    const auto failed =
-        std::count_if(ratio.begin() + 1, ratio.end(), [](double v) { return !std::isfinite(v); });
-    result.push_back({others[k].file.path, predicted(theirs), predicted(own), predicted(ratio),
-                      draws_of(theirs), draws_of(own), static_cast<int>(failed)});
+    const std::vector<Row>& theirs = rows[k + 1];
+    const std::vector<double> ml = column(theirs, 0);
+    std::vector<double> percent;
+    for (std::size_t i = 0; i < ml.size(); ++i) percent.push_back(100.0 * ml[i] / own_ml[i]);
+    Prediction p{others[k].first, {}, volumes_m3(draws_of(ml)), volumes_m3(draws_of(own_ml)), 0};
+    for (std::size_t m = 0; m < theirs.front().size(); ++m)
+      p.numbers.push_back(predicted(theirs.front()[m].name, theirs.front()[m].unit, column(theirs, m)));
+    p.numbers.push_back(predicted("own_delta_v_ml", "ml", own_ml));
+    p.numbers.push_back(predicted("ratio_percent", "percent", percent));
+    p.failed = static_cast<int>(
+        std::count_if(percent.begin() + 1, percent.end(), [](double v) { return !std::isfinite(v); }));
+    result.push_back(std::move(p));
   }
   return result;
 }

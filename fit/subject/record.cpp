@@ -10,12 +10,11 @@
 namespace trunk {
 namespace {
 
-void add(const Predicted& p, const std::string& name, const std::string& unit,
-         std::vector<NamedValue>& numbers) {
-  numbers.push_back({name, unit, p.value});
-  numbers.push_back({name + "_median", unit, p.median});
-  numbers.push_back({name + "_lower95", unit, p.lower95});
-  numbers.push_back({name + "_upper95", unit, p.upper95});
+void add(const Predicted& p, std::vector<NamedValue>& numbers) {
+  numbers.push_back({p.name, p.unit, p.value});
+  numbers.push_back({p.name + "_median", p.unit, p.median});
+  numbers.push_back({p.name + "_lower95", p.unit, p.lower95});
+  numbers.push_back({p.name + "_upper95", p.unit, p.upper95});
 }
 
 FitRecord::Result record_of(const FitResult& r) {
@@ -85,12 +84,9 @@ void add_breaths(const std::vector<BreathRefit>& breaths, FitRecord& record) {
 
 void add_predictions(const std::vector<Prediction>& predictions, FitRecord& record) {
   for (const Prediction& p : predictions) {
-    const PredictionSummary s = summary_of(p);
-    FitRecord::Prediction r{s.name, s.scenario, {}, p.delta_v_draws_m3, p.own_draws_m3};
-    add(s.delta_v_ml, "delta_v_ml", "ml", r.numbers);
-    add(s.own_delta_v_ml, "own_delta_v_ml", "ml", r.numbers);
-    add(s.ratio_percent, "ratio_percent", "percent", r.numbers);
-    r.numbers.push_back({"failed", "1", static_cast<double>(s.failed)});
+    FitRecord::Prediction r{short_name(p.scenario), p.scenario, {}, p.delta_v_draws_m3, p.own_draws_m3};
+    for (const Predicted& number : p.numbers) add(number, r.numbers);
+    r.numbers.push_back({"failed", "1", static_cast<double>(p.failed)});
     record.predictions.push_back(std::move(r));
   }
 }

@@ -5,8 +5,7 @@
 
 #include "errors/input_error.hpp"
 #include "files/read_file.hpp"
-#include "records/run_record.hpp"
-#include "results/read/stored_run.hpp"
+#include "records/stored_subject.hpp"
 #include "scenarios/toml_values.hpp"
 #include "sweep/design.hpp"
 #include "sweep/sampling.hpp"
@@ -242,7 +241,7 @@ void try_everything(const SweepDesign& design) {
   }
   for (const auto& subject : design.subjects) try {
       Scenario trial;
-      adopt_parameters(read_parameters(subject.path), trial);
+      breathe_as(read_stored_subject(subject.path), trial);
     } catch (const InputError& error) {
       rethrow_named_in(subject.at, error);
     }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "anatomy/breath_run.hpp"
+#include "dynamics/recoil.hpp"
 #include "records/run_record.hpp"
 #include "scenarios/build_trunk.hpp"
 
@@ -17,7 +18,10 @@ struct SweepSimulator::Ready {
 
 SweepSimulator::SweepSimulator(const SweepDesign& design, Provenance provenance, RunLimits limits)
     : design_(design), provenance_(std::move(provenance)), limits_(std::move(limits)) {
-  for (const auto& subject : design.subjects) subjects_.push_back(read_parameters(subject.path));
+  for (const auto& subject : design.subjects) subjects_.push_back(read_stored_subject(subject.path));
+  subject_repeats_ = std::any_of(subjects_.begin(), subjects_.end(), [](const StoredSubject& s) {
+    return s.own && s.own->scenario.time.start == Start::periodic;
+  });
 }
 
 SweepSimulator::~SweepSimulator() = default;
@@ -36,6 +40,8 @@ std::shared_ptr<const SweepSimulator::Ready> SweepSimulator::ready_for(std::size
   ready->file = read_scenario(design_.scenarios[r.scenario].path);
   apply_settings(design_.settings_of(r.values), ready->file);
   ready->trunk = assemble_trunk(ready->file);
+  if (subject_repeats_ && !ready->trunk.model.recoil)
+    ready->trunk.model.recoil = measure_recoil_for_leads(ready->trunk.model);
   return last_ = ready;
 }
 
@@ -50,8 +56,9 @@ std::vector<FinishedRun> SweepSimulator::operator()(std::span<const std::size_t>
     for (const std::size_t run : runs) try {
         const SweepDesign::Run r = design_.run(run);
         ScenarioFile file = ready->file;
-        if (!subjects_.empty()) adopt_parameters(subjects_[r.subject], file.scenario);
+        if (!subjects_.empty()) breathe_as(subjects_[r.subject], file.scenario);
         apply_settings(design_.settings_of(r.values), file);
+        require_repeating(file.scenario);
         prepared.push_back({run, std::move(file)});
       } catch (const std::exception& error) {
         fail_run(run, error);

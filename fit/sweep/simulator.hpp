@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "records/stored_subject.hpp"
 #include "sweep/batch.hpp"
 
 namespace trunk {
@@ -32,7 +33,8 @@ class SweepSimulator {
   const SweepDesign& design_;
   Provenance provenance_;
   RunLimits limits_;
-  std::vector<std::vector<NamedValue>> subjects_;
+  std::vector<StoredSubject> subjects_;
+  bool subject_repeats_ = false;  // one or more of them breathe on
   mutable std::mutex mutex_;
   mutable std::shared_ptr<const Ready> last_;  // the next runs mostly have the same model
 };

@@ -49,23 +49,49 @@ class Assessment {
   }
 
  private:
-  /// Fits all else again at both ends of the recoil time. => low_, high_, quantile_, covariance_
+  /// Fits all else again at both ends of the recoil time. => low_, high_, quantile_, covariance_, posterior
   void find_points() {
     best_ = space_.decode(e_.local->x);
     low_ = high_ = best_;
     covariance_ = e_.local->covariance;
     quantile_ = t_quantile(e_.local->freedom);
     const auto elasticity = space_.find("k_elasticity");
-    if (!in_.energy_known || !elasticity) return;
+    std::optional<AlongRecoil> along;
+    if (in_.energy_known && elasticity) {
+      const auto held = static_cast<Eigen::Index>(*elasticity);
+      find_ends(held);
+      along = along_recoil(held);
+    }
+    results_.posterior = {e_.local->x, covariance_, e_.local->freedom, volume_error(), std::move(along)};
+  }
+
+  void find_ends(Eigen::Index held) {
     recoil_ = recoil_time(*in_.breath);
-    const auto held = static_cast<Eigen::Index>(*elasticity);
     covariance_ = covariance_with_held(*e_.local, held);
     low_ = fitted_at(recoil_->lower95_s, held);
     high_ =
         fitted_at(std::isfinite(recoil_->upper95_s) ? recoil_->upper95_s : 3.0 * recoil_->lower95_s, held);
   }
 
-  Candidate fitted_at(double recoil_s, Eigen::Index held) {
+  /// Returns how all else follows the recoil time, with refits at both ends and halfway to them; none if
+  /// bounds leave it no room.
+  std::optional<AlongRecoil> along_recoil(Eigen::Index held) const {
+    const auto time_of = [&](const Candidate& c) { return p_.compartment.recoil_time_s(c.parameters); };
+    const auto halfway = [&](const Candidate& end) {
+      return fitted_at(std::sqrt(time_of(end) * time_of(best_)), held);
+    };
+    AlongRecoil along{
+        expired_energy(*in_.breath), recoil_->log_error, std::max(1.0, in_.breath->breaths_used - 1.0), {}};
+    for (const Candidate& c : {low_, halfway(low_), best_, halfway(high_), high_}) {
+      const double log_time = std::log(time_of(c));
+      if (along.refits.empty() || log_time > along.refits.back().first + 0.01)
+        along.refits.emplace_back(log_time, space_.encode(c));
+    }
+    if (along.refits.size() < 2) return std::nullopt;
+    return along;
+  }
+
+  Candidate fitted_at(double recoil_s, Eigen::Index held) const {
     CompartmentModel model(p_.compartment, p_.grid, p_.measured);
     model.correct_at(best_, e_.model);
     Objective objective(model, p_.grid, space_, p_.measured, p_.knowledge);

@@ -8,6 +8,7 @@
 #include "estimation/estimate.hpp"
 #include "expiration/energy_law.hpp"
 #include "gates/gates.hpp"
+#include "verdict/draws.hpp"
 
 namespace trunk {
 
@@ -45,7 +46,8 @@ struct FitResults {
   std::vector<FitResult> results;
   std::vector<std::string> headline;  // names of results, at most eight
   std::optional<StraightActivation> straight;
-  std::string verdict;  // one to three sentences
+  std::string verdict;                 // one to three sentences
+  std::optional<Posterior> posterior;  // none if the search did not converge, or one number was measured
 
   const FitResult* find(std::string_view name) const;
 };

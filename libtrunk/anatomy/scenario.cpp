@@ -35,8 +35,10 @@ void require_repeating(const PiecewiseLinear& course, double breath_s, const Pla
                      "the same value at 0 s and at the end of the breath", "start = \"rest\" in [time]");
 }
 
-/// Throws InputErrors with everything that cannot repeat.
+}  // namespace
+
 void require_repeating(const Scenario& s) {
+  if (s.time.start == Start::rest) return;
   const double breath_s = s.time.duration_s, cycles = breath_s / s.activation.period_s;
   const auto varies = [](const PiecewiseLinear& course) { return course.events().size() > 1; };
   Mistakes mistakes;
@@ -62,8 +64,6 @@ void require_repeating(const Scenario& s) {
   mistakes.settle();
 }
 
-}  // namespace
-
 int frame_stride(const Scenario& s) {
   if (s.frame_every_s == 0.0) return 0;
   return std::max(1, static_cast<int>(std::lround(s.frame_every_s / s.time.dt_s)));
@@ -82,10 +82,8 @@ Trunk make_trunk(const Scenario& s) {
   mistakes.settle();
   drop_supports_of_held_particles(trunk.model);
   require_valid(trunk.model);
-  if (s.time.start == Start::periodic) {
-    require_repeating(s);
-    trunk.model.recoil = measure_recoil_for_leads(trunk.model);
-  }
+  require_repeating(s);
+  if (s.time.start == Start::periodic) trunk.model.recoil = measure_recoil_for_leads(trunk.model);
   return trunk;
 }
 

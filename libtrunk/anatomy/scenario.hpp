@@ -47,6 +47,9 @@ TrunkMesh mesh_of(const Scenario& scenario);
 /// tissue or a rigid part is.
 Trunk make_trunk(const Scenario& scenario);
 
+/// Throws InputErrors with all courses that cannot repeat, if breathing should.
+void require_repeating(const Scenario& scenario);
+
 /// Throws InputError, which names the bound, unless the time step is below the stability bound at full
 /// activation and the duration is 1 to 1e7 steps; and as require_memory does.
 void require_stable(const Scenario& scenario, const Trunk& trunk);

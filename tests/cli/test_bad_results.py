@@ -179,6 +179,7 @@ class FitFiles(TrunkTest):
         def earlier(file):
             file.attrs.modify("schema_version", np.int32(1))
             del file["results"], file["problem"].attrs["input"]
+            del file["draws"]
             for profile in file["profiles"].values():
                 del profile["threshold95"]
         self.change(earlier)
@@ -199,7 +200,9 @@ class FitFiles(TrunkTest):
         self.assertEqual(set(again["parameters"]), {"k_muscle"})
         self.assertEqual(self.succeeds("inspect", "g.h5")["parameters"]["k_elasticity"]["value"],
                          kept["parameters"]["k_elasticity"]["value"])
-        self.succeeds("simulate", HEALTHY, "--from", "x.h5", "-o", "r.h5", *FAST_FIT)
+        outcome = self.trunk("simulate", HEALTHY, "--from", "x.h5", "-o", "r.h5", *FAST_FIT)
+        self.assertRegex(outcome.err, "note: x.h5 keeps no draws of its parameters, so no number here has an interval;")
+        self.assertNotIn("delta_v_ml_lower95", self.succeeds("simulate", HEALTHY, "--from", "x.h5", "-o", "r.h5", "--force", *FAST_FIT))
 
     def refused_by_readers(self, says):
         for command in (("inspect", "x.h5"), ("export", "x.h5", "--csv", "out"), ("report", "x.h5", "-o", "x.html")):

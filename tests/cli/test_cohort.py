@@ -82,11 +82,43 @@ class Prediction(TrunkTest):
             reach = p["delta_v_ml"]["upper95"] - p["delta_v_ml"]["lower95"]
             self.assertAlmostEqual(p["delta_v_ml"][end], run["delta_v_ml"], delta=0.05 * reach)
 
+    def test_a_stored_fit_predicts_the_same_without_a_fit(self):
+        p = self.predicted(*QUICK, "--draws", "32", text=noisy(5))
+        run = self.succeeds("simulate", PARALYSED, "-o", "r.h5", "--from", "f.h5", "--set", "time.dt_ms=3")
+        names = [name for name, number in p.items() if isinstance(number, dict)]
+        self.assertLessEqual({"delta_v_percent", "excursion_right_mm", "delta_l_mm", "delta_h_mm", "ratio_percent",
+                              "end_expiratory_above_relaxation_ml"}, set(names))
+        for name in names:
+            for key, end in (("value", ""), ("lower95", "_lower95"), ("upper95", "_upper95")):
+                self.assertAlmostEqual(run[name + end], p[name][key], delta=1e-9 * max(1, abs(p[name][key])), msg=name + end)
+        self.assertEqual((run["draws"], run["failed_draws"]), (32, 0))
+        with h5py.File(self.folder / "r.h5") as file:
+            self.assertEqual(file["intervals/delta_l_mm_upper95"][()], run["delta_l_mm_upper95"])
+        self.assertTrue(self.succeeds("replay", "r.h5", "--tolerance", "0")["same"])
+
+    def test_what_is_set_has_no_spread(self):
+        self.predicted(*ONE, "--draws", "16")
+        run = self.succeeds("simulate", PARALYSED, "-o", "r.h5", "--from", "f.h5", "--set", "time.dt_ms=3",
+                            "--set", "parameters.k_muscle_N_per_m=20")
+        self.assertEqual(run["delta_v_ml_lower95"], run["delta_v_ml_upper95"])  # k_muscle was all that is uncertain
+        self.assertAlmostEqual(run["delta_v_ml_lower95"], run["delta_v_ml"], places=6)
+
+    def test_a_subject_of_a_sweep_breathes_as_in_its_fit(self):
+        self.predicted(*ONE, "--draws", "0")
+        self.file("s.toml", f'scenarios = ["{PARALYSED}", "{HEALTHY}"]\nsubjects = ["f.h5"]\nstore = "summary"\n[grid]\n"time.dt_ms" = [3]\n')
+        self.succeeds("sweep", "s.toml", "-o", "d")
+        rows = list(tables.DictReader(io.StringIO((self.folder / "d/table.csv").read_text())))
+        for row, scenario in zip(rows, (PARALYSED, HEALTHY), strict=True):
+            alone = self.succeeds("simulate", scenario, "-o", "r.h5", "--force", "--from", "f.h5", "--set", "time.dt_ms=3")
+            self.assertEqual(float(row["delta_v_ml"]), alone["delta_v_ml"])
+            self.assertNotEqual(float(row["end_expiratory_above_relaxation_ml"]), 0.0)
+
     def test_is_kept_with_the_fit(self):
         self.predicted(*ONE, "--draws", "16")
         kept = {d["path"]: d["shape"] for d in self.succeeds("inspect", "f.h5")["datasets"]}
         self.assertEqual(kept["predictions/hemiparalysis_right/delta_v_draws"], [16])
         self.assertIn("predictions/hemiparalysis_right/ratio_percent_lower95", kept)
+        self.assertEqual(kept["draws/value"][0], 16)
 
     def test_without_draws_there_is_no_interval(self):
         p = self.predicted(*ONE, "--draws", "0")

@@ -135,6 +135,7 @@ inline FitRecord sample_fit() {
   fit.breath_status = {"converged", "not converged: why"};
   fit.predictions = {
       {"paralysed", "paralysed.toml", {{"delta_v_ml", "ml", 220}}, {2e-4, 2.1e-4}, {4e-4, 4.1e-4}}};
+  fit.draws = {{"k_elasticity", "k_muscle"}, {3990, 499, 4010, 503}};
   fit.dV_baseline_m3 = {0, 3.9e-4, 1e-6};
   fit.bootstrap_lower95 = {3950, 480, none};
   fit.bootstrap_upper95 = {4050, 520, none};

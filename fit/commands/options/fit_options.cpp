@@ -153,7 +153,7 @@ void add_prediction_options(CLI::App& command, FitRequest& r) {
   constexpr const char* group = "Predictions";
   command
       .add_option("--predict,--scenario", r.predict,
-                  "Predicts the subject's tidal volume in another scenario. You can repeat it.")
+                  "Predicts what the subject does in another scenario. You can repeat it.")
       ->type_name("FILE")
       ->group(group)
       ->take_all()

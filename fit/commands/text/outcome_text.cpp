@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "commands/text/output.hpp"
 #include "math/units.hpp"
@@ -12,10 +13,11 @@
 namespace trunk {
 namespace {
 
-std::string predicted_text(const Predicted& p, bool drawn, const char* unit) {
-  if (!drawn) return fmt::format("{} {}", shown(p.value, "{:.4g}"), unit);
-  return fmt::format("{} ({} to {}) {}", shown(p.value, "{:.4g}"), shown(p.lower95, "{:.4g}"),
-                     shown(p.upper95, "{:.4g}"), unit);
+std::string predicted_text(const PredictionSummary& p, const char* name) {
+  const Predicted& n = p[name];
+  const std::string unit = n.unit == "percent" ? "%" : n.unit;
+  if (!std::isfinite(n.lower95)) return fmt::format("{} {}", shown(n.value, "{:.4g}"), unit);
+  return fmt::format("{:.4g} ({:.4g} to {:.4g}) {}", n.value, n.lower95, n.upper95, unit);
 }
 
 }  // namespace
@@ -42,9 +44,12 @@ std::string predictions_table(const std::vector<Prediction>& predictions) {
   for (const Prediction& prediction : predictions) {
     const PredictionSummary p = summary_of(prediction);
     text += fmt::format(
-        "  in {}: {}, {} of its own{}\n", p.name, predicted_text(p.delta_v_ml, p.draws > 0, "ml"),
-        predicted_text(p.ratio_percent, p.draws > 0, "%"),
+        "  in {}: {}, {} of its own{}\n", p.name, predicted_text(p, "delta_v_ml"),
+        predicted_text(p, "ratio_percent"),
         p.failed == 0 ? "" : fmt::format("; {} of {} draws FAILED and are left out", p.failed, p.draws));
+    text += fmt::format("    the domes descend {} right and {} left; the zone of apposition shortens by {}\n",
+                        predicted_text(p, "excursion_right_mm"), predicted_text(p, "excursion_left_mm"),
+                        predicted_text(p, "delta_l_mm"));
   }
   return text;
 }

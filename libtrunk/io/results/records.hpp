@@ -72,6 +72,7 @@ struct RunRecord {
   std::string trunk_pml;               ///< the trunk if it comes from a file; "" for the parametric one
   std::vector<NamedValue> parameters;  ///< resolved, in natural units
   std::vector<NamedValue> measures;    //
+  std::vector<NamedValue> intervals;   ///< of the measures, if the subject of a fit breathes; or empty
   Trajectory trajectory;               //
   std::vector<double> curve_time_s;    ///< [Tc]
   std::vector<Series> curves;          ///< each [Tc]
@@ -129,10 +130,15 @@ struct FitRecord {
     std::string first, second;  ///< the methods; empty if there is no second one
     bool agree = false;
   };
+  /// Candidates that are as likely as the fit says: with them a prediction has an interval.
+  struct Draws {
+    std::vector<std::string> names;  ///< [P] parameters
+    std::vector<double> values;      ///< [D*P], row-major, in the natural unit of each parameter
+  };
   /// The prediction of the fit for another scenario.
   struct Prediction {
     std::string name, scenario;       ///< a short name; the file
-    std::vector<NamedValue> numbers;  ///< volumes and their ratio, with intervals
+    std::vector<NamedValue> numbers;  ///< measures and a ratio of volumes, with intervals
     std::vector<double> delta_v_m3,
         own_delta_v_m3;  ///< [D] draws of the parameters; NaN if a simulation fails
   };
@@ -167,6 +173,7 @@ struct FitRecord {
   std::vector<NamedColumn> breaths;                           ///< one fit per breath: columns [B]; or empty
   std::vector<std::string> breath_status;                     ///< [B]
   std::vector<Prediction> predictions;                        //
+  Draws draws;                                                ///< without values if the fit has no spread
   RunRecord best_run;                                         ///< its provenance is that of the fit
   Provenance provenance;
   std::vector<double> dV_baseline_m3;                        ///< [Tr] of a one-compartment model; or empty

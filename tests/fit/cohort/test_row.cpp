@@ -49,9 +49,9 @@ FitSummary summary() {
   s.median_latency_ms = 12.5;
   s.predictions = {{"paralysed",
                     "scenarios/paralysed.toml",
-                    {250.0, 251.0, 240.0, 260.0},
-                    {500.0, 500.0, 490.0, 510.0},
-                    {50.0, 50.5, 48.0, 52.0},
+                    {{"delta_v_ml", "ml", 250.0, 251.0, 240.0, 260.0},
+                     {"excursion_right_mm", "mm", 4.0, 4.0, 3.0, 5.0},
+                     {"ratio_percent", "percent", 50.0, 50.5, 48.0, 52.0}},
                     64,
                     3}};
   s.verdict = "Both are determined.";
@@ -71,13 +71,15 @@ TEST_CASE("The row of a subject holds its estimates, numbers and predictions", "
         "ratio,ratio_lower95,ratio_upper95,ratio_at_bound,"
         "nrmse_percent,baseline_nrmse_percent,tidal_volume_measured_ml,breaths_used,breaths_rejected,"
         "paralysed_delta_v_ml,paralysed_delta_v_ml_lower95,paralysed_delta_v_ml_upper95,"
+        "paralysed_excursion_right_mm,paralysed_excursion_right_mm_lower95,paralysed_excursion_right_mm_"
+        "upper95,"
         "paralysed_percent,paralysed_percent_lower95,paralysed_percent_upper95,"
         "paralysed_failed_draws,verdict,error\n"
         "A,converged,not_determined,\"wander subject_size\",,,,not_determined,0.5,0.25,,assumption,"
         "16000,,,1,2e-05,1e-05,3e-05,0,"
-        "1.5,,510.00000000000006,5,1,250,240,260,50,48,52,3,\"Both are determined.\",\n"
+        "1.5,,510.00000000000006,5,1,250,240,260,4,3,5,50,48,52,3,\"Both are determined.\",\n"
         "B,failed,," +
-            std::string(28, ',') + ",,\"b.csv:3: no \"\"number\"\"\"\n");
+            std::string(31, ',') + ",,\"b.csv:3: no \"\"number\"\"\"\n");
 }
 
 TEST_CASE("A number that one subject lacks is a gap in the table", "[unit]") {

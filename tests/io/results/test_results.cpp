@@ -111,6 +111,9 @@ TEST_CASE("The results of a fit come back with grades, limits, gates and straigh
   CHECK(back.straight[0].upper95 == 490);
   CHECK(back.straight_nrmse_percent == 2.5);
   CHECK(back.profiles[0].threshold95 == 4.5);
+  const FitRecord::Draws draws = read_draws(path);
+  CHECK(draws.names == fit.draws.names);
+  CHECK(draws.values == fit.draws.values);
 
   const std::string text = inspection_text(path);
   CHECK_THAT(text, !Contains("± 20") && Contains("4000 (of the simulation, not a result: a gate"));

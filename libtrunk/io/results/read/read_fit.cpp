@@ -135,6 +135,20 @@ void read_predictions(hid_t root, FitRecord& fit) {
   }
 }
 
+FitRecord::Draws draws_in(hid_t root) {
+  FitRecord::Draws draws;
+  if (!has_link(root, "draws")) return draws;
+  draws.names = read_texts(root, "draws/parameter");
+  draws.values = read_doubles(root, "draws/value");
+  if (draws.names.empty() || draws.values.size() % draws.names.size() != 0)
+    throw hdf5::Error("draws/value has the wrong shape");
+  return draws;
+}
+
+void require_fit(const std::filesystem::path& path, const std::string& kind) {
+  if (kind != "fit") throw InputError({path.string()}, fmt::format("is a {}", kind), "a fit");
+}
+
 void read_result(hid_t root, FitRecord& fit) {
   const hdf5::Group result = hdf5::open_group(root, "result");
   fit.verdict = hdf5::read_attribute(result, "verdict");
@@ -199,7 +213,7 @@ void layout::read_estimates(hid_t root, FitRecord& fit) {
 FitRecord read_fit(const std::filesystem::path& path) {
   FitRecord fit;
   layout::read_results(path, [&](hid_t root, const std::string& kind) {
-    if (kind != "fit") throw InputError({path.string()}, fmt::format("is a {}", kind), "a fit");
+    require_fit(path, kind);
     fit.title = hdf5::read_attribute(root, "title");
     fit.status = hdf5::read_attribute(root, "status");
     fit.message = hdf5::read_attribute(root, "message");
@@ -211,12 +225,22 @@ FitRecord read_fit(const std::filesystem::path& path) {
     read_surface(root, fit);
     read_breaths(root, fit);
     read_predictions(root, fit);
+    fit.draws = draws_in(root);
     read_result(root, fit);
     layout::read_results_of_fit(root, fit);
     fit.provenance = layout::read_provenance(root);
     fit.best_run = layout::read_run_content(hdf5::open_group(root, "best_run"));
   });
   return fit;
+}
+
+FitRecord::Draws read_draws(const std::filesystem::path& path) {
+  FitRecord::Draws draws;
+  layout::read_results(path, [&](hid_t root, const std::string& kind) {
+    require_fit(path, kind);
+    draws = draws_in(root);
+  });
+  return draws;
 }
 
 }  // namespace trunk

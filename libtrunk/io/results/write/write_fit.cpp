@@ -223,6 +223,16 @@ void write_predictions(hid_t root, const FitRecord& fit) {
   }
 }
 
+void write_draws(hid_t root, const FitRecord& fit) {
+  if (fit.draws.values.empty()) return;
+  const Group draws = create_group(root, "draws");
+  const Axis one =
+      write_count_axis(draws, {"draw", "1", "draw"}, fit.draws.values.size() / fit.draws.names.size());
+  const Axis parameter = write_axis(draws, {"parameter", "", "parameter"}, fit.draws.names);
+  write_array(draws, {"value", "", "parameters as likely as the fit says, " + unit_in_table},
+              fit.draws.values, {one, parameter});
+}
+
 /// Writes the best run. It has the provenance of the fit, since it is from the same program and the same
 /// call.
 void write_best_run(hid_t root, const FitRecord& fit) {
@@ -251,6 +261,7 @@ void write_fit(const std::filesystem::path& path, const FitRecord& fit) {
     write_surface(root, fit);
     write_breaths(root, fit);
     write_predictions(root, fit);
+    write_draws(root, fit);
     write_result(root, fit);
     layout::write_results(root, fit);
     layout::write_provenance(root, fit.provenance);

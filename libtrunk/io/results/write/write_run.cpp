@@ -41,6 +41,7 @@ void layout::write_run_content(hid_t group, const RunRecord& run) {
   write_curves(group, run);
   write_observables(group, run);
   write_numbers(create_group(group, "measures"), run.measures);
+  if (!run.intervals.empty()) write_numbers(create_group(group, "intervals"), run.intervals);
   const Group parameters = create_group(group, "parameters");
   write_text(parameters, {"scenario_toml", "", "the scenario as it was given"}, run.scenario_toml);
   if (!run.trunk_pml.empty())
