@@ -2,10 +2,12 @@
 
 #include <optional>
 
+#include "anatomy/measures.hpp"
 #include "breaths/mean_breath.hpp"
 #include "commands/commands.hpp"
 #include "commands/options/fit_options.hpp"
 #include "dynamics/stability.hpp"
+#include "gates/gates.hpp"
 #include "math/units.hpp"
 #include "scenarios/build_trunk.hpp"
 #include "scenarios/keys.hpp"
@@ -22,6 +24,7 @@ struct CheckRequest {
 /// What a check gathers. All mistakes are printed, not only the first.
 struct Findings {
   Mistakes mistakes;
+  std::optional<double> end_expiratory_m3;  // of the trunk, if it can be built
   std::vector<std::string> notes;
   Json json{{"schema", "trunk.check/1"}};
   std::string text;
@@ -64,6 +67,7 @@ std::optional<ScenarioFile> check_scenario(const CheckRequest& request, Findings
   if (!file) return file;
   findings.mistakes.gather([&] {
     const Trunk trunk = build_trunk(*file);
+    findings.end_expiratory_m3 = shape_of(trunk, trunk.model.rest).lung_volume;
     const TimeGrid& time = file->scenario.time;
     const double bound_s = stable_time_step(trunk.model, file->scenario.parameters, time.damping);
     findings.json["scenario"] = request.fit.scenario;
@@ -79,32 +83,19 @@ std::optional<ScenarioFile> check_scenario(const CheckRequest& request, Findings
   return file;
 }
 
-/// Adds notes on what a fit accepts and the user should know (the bounds are our choice).
-void note_doubts(const MeasuredBreath& breath, const Trace& trace, std::vector<std::string>& notes) {
-  constexpr int few_breaths = 3;
-  constexpr double deep_m3 = 2e-3, few_samples = 10;
-  if (breath.breaths_used < few_breaths)
-    notes.push_back(fmt::format("{} breath(s) used: so few do not show the spread from breath to breath",
-                                breath.breaths_used));
-  if (breath.tidal_volume_m3 > deep_m3)
-    notes.push_back(
-        fmt::format("a tidal volume of {:.0f} ml is beyond what the model was made for (quiet breathing "
-                    "and exercise up to 2000 ml)",
-                    ml_per_m3 * breath.tidal_volume_m3));
-  const double step_s =
-      (trace.time_s.back() - trace.time_s.front()) / static_cast<double>(trace.time_s.size() - 1);
-  if (breath.inspiration_s < few_samples * step_s)
-    notes.push_back(fmt::format("{:.1f} samples per inspiration are too few for its timing",
-                                breath.inspiration_s / step_s));
-}
-
 void check_trace(const CheckRequest& request, Findings& findings) {
   findings.mistakes.gather([&] {
-    const Trace trace = read_signal(request.fit.trace, request.fit.signal);
-    const Segmentation segmentation = segment_breaths(trace, request.fit.selection);
+    const Segmentation segmentation =
+        segment_breaths(read_signal(request.fit.trace, request.fit.signal), request.fit.selection);
     const MeasuredBreath breath = mean_breath(segmentation);
     findings.notes.insert(findings.notes.end(), segmentation.notes.begin(), segmentation.notes.end());
-    note_doubts(breath, trace, findings.notes);
+    const Screening screening = screened(segmentation, findings.end_expiratory_m3);
+    findings.json["gates"] = Json::array();
+    for (const Gate& gate : screening.gates) {
+      findings.json["gates"].push_back(gate.name);
+      findings.notes.push_back(gate.sentence);
+    }
+    findings.notes.insert(findings.notes.end(), screening.notes.begin(), screening.notes.end());
     findings.json["breaths_used"] = breath.breaths_used;
     findings.json["tidal_volume_ml"] = ml_per_m3 * breath.tidal_volume_m3;
     findings.text +=

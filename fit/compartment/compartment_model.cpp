@@ -4,6 +4,13 @@
 
 namespace trunk {
 
+TrunkAsCompartment as_compartment(const Recoil& recoil) {
+  constexpr double usual = 25.0, least = 5.0;
+  const double factor = recoil.time_factor > least ? recoil.time_factor : usual;
+  const double relaxation = TrunkAsCompartment::between * factor;
+  return {relaxation, recoil.gain, recoil.gain, relaxation};
+}
+
 std::vector<double> CompartmentModel::plain(const Candidate& c) const {
   return compartment_breath(trunk_.of(c.parameters), c.activation, grid_, curve_.time_s).delta_v;
 }

@@ -71,8 +71,8 @@ SubjectFit::SubjectFit(ScenarioFile file, Measurement measurement, FitPlan plan)
     : file_(std::move(file)), measurement_(std::move(measurement)), plan_(std::move(plan)) {
   Draft draft = drafted();
   Scenario& scenario = file_.scenario;
-  if (!file_.settings.contains("time.start")) scenario.time.start = Start::periodic;
   if (measurement_.breath) {
+    if (!file_.settings.contains("time.start")) scenario.time.start = Start::periodic;
     measured_curve_ = measured_curve_of(*measurement_.breath, plan_.weighted);
     scenario.time.duration_s = measurement_.breath->duration_s;
     if (plan_.timing != Timing::scenario)
@@ -135,13 +135,7 @@ SubjectFit::Draft SubjectFit::drafted() const {
 void SubjectFit::begin_with_compartment(const Draft& draft) {
   Scenario& scenario = file_.scenario;
   const Candidate begin{scenario.parameters, scenario.activation};
-  const Recoil recoil = measure_recoil(trunk_.model, scenario.parameters);
-  // A trunk of which one side is paralysed has no recoil time: its domes sway for longer than its volume
-  // lasts.
-  const double usual = 25.0;
-  const double relaxation =
-      TrunkAsCompartment::between * (recoil.time_factor > 0.0 ? recoil.time_factor : usual);
-  compartment_ = {relaxation, recoil.gain, recoil.gain, relaxation};
+  compartment_ = as_compartment(measure_recoil(trunk_.model, scenario.parameters));
   CompartmentFit fit{compartment_, scenario.time, measured_curve_, draft.names, draft.beside, plan_.priors};
   fit.starts = plan_.starts;
   fit.seed = plan_.estimation.search.seed;

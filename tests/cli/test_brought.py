@@ -106,14 +106,14 @@ class AllAtOnce(TrunkTest):
 
     def test_what_a_fit_could_not_use(self):
         self.file("t.csv", csv(TIMES, VOLUMES))
-        for options, says in ((("--fix", "k_elasticity=2"), "--fix k_elasticity=2: 2 N/m is out of bounds; expected 400 to"),
+        for options, says in ((("--fix", "k_elasticity=2"), "--fix k_elasticity=2: 2 N/m is out of bounds; expected 20 to"),
                               (("--fix", "k_muscle=@none.h5"), "none.h5: no such file.*named in --fix k_muscle=@none.h5"),
                               (("--fix", "k_muscle"), "--fix k_muscle: no value is given; expected name=value"),
                               (("--fix", "k_muscle=30", "--fix", "k_elasticity=4000"), "no parameter is free"),
                               (("--set", "activation.rise_s=1"), "--set activation.rise_s=1: the trace gives the timing; expected --timing scenario"),
                               (("--prior", "k_muscle=1e9:2"), "k_muscle"),
                               (("--set", "paralysis.side=both"), "--set paralysis.side=both: k_muscle has no effect"),
-                              (("--set", "parameters.k_elasticity_N_per_m=100"), "k_elasticity starts a fit at 100 N/m; expected 400")):
+                              (("--set", "parameters.k_elasticity_N_per_m=10"), "k_elasticity starts a fit at 10 N/m; expected 20")):
             with self.subTest(options):
                 self.refused("check", HEALTHY, "--trace", "t.csv", *options, says=says)
         self.succeeds("check", HEALTHY, "--trace", "t.csv", "--free", "k_muscle", "--fix", "k_elasticity=4000")

@@ -169,7 +169,7 @@ class Fit(TrunkTest):
         self.assertEqual((muscle["value"], muscle["lower95"]), (fit["parameters"]["k_muscle"]["value"], None))
         self.assertRegex(muscle["assumption"], "as in the scenario")
         self.assertRegex(fit["verdict"], "One tidal volume gives k_muscle")
-        run = self.succeeds("simulate", own, "-o", "r.h5", "--from", "f.h5", "--set", "time.start=periodic")
+        run = self.succeeds("simulate", own, "-o", "r.h5", "--from", "f.h5")
         self.assertAlmostEqual(run["delta_v_ml"], 300, delta=1)
         for volume in ("5", "-300", "0.3", "nan"):
             self.refused("fit", HEALTHY, "--tidal-volume-ml", volume, "-o", "g.h5", says="expected a number from 10 to 10000")

@@ -23,8 +23,7 @@ class TrunkObjective {
 
 /// The compartment of a trunk, as a fit takes it.
 inline TrunkAsCompartment compartment_of(const Trunk& trunk, const Parameters<double>& parameters) {
-  const Recoil recoil = measure_recoil(trunk.model, parameters);
-  return {recoil.time_factor, recoil.gain, recoil.gain, recoil.time_factor};
+  return as_compartment(measure_recoil(trunk.model, parameters));
 }
 
 }  // namespace trunk::test

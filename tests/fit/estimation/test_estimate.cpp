@@ -91,6 +91,8 @@ TEST_CASE("A slow breath with noise determines the ratio and says so", "[regress
   const SearchSpace space({"k_elasticity", "k_muscle"}, {s.parameters, s.activation});
   const Estimation e = fitted(trunk, s, space, measured);
   REQUIRE(e.uncertainty);
+  const Estimate& elasticity = e.uncertainty->parameters.front();
+  CAPTURE(elasticity.value, elasticity.lower95, elasticity.upper95);
   CHECK_FALSE(e.uncertainty->identifiable);
   CHECK(e.uncertainty->ratio.identifiable);
   CHECK(e.uncertainty->ratio.value == Approx(s.parameters.muscle / s.parameters.elasticity).epsilon(0.05));

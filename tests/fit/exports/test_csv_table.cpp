@@ -79,7 +79,7 @@ TEST_CASE("A fit's likelihood surface is one row for each point, the second axis
   fit.surface.deviance = {1.0, 2.0, 3.0, no_value};
   const auto files = csv_tables(fit);
   const auto names = file_names(files);
-  REQUIRE(names.size() == 7);
+  REQUIRE(names.size() == 8);
   CHECK(names.back() == "surface.csv");
   CHECK(files.back().text ==
         "k_elasticity_N_per_m,k_muscle/k_elasticity,deviance\n"

@@ -49,13 +49,13 @@ TEST_CASE("Draws of stiffness have the spread of Student's t and of the volume's
   const auto draws = posterior_draws({x, covariance, 5.0, 0.03}, space, 4000, 7);
   const auto elasticity = logs(draws, [](const auto& p) { return p.elasticity; });
   // 2.571 is the 97.5 % point of Student's t with 5 degrees of freedom (tables).
-  CHECK_THAT(percentile(elasticity, 0.975) - std::log(4000.0), WithinRel(0.2 * 2.571, 0.03));
-  CHECK_THAT(percentile(elasticity, 0.025) - std::log(4000.0), WithinRel(-0.2 * 2.571, 0.03));
+  CHECK_THAT(percentile(elasticity, 0.975) - std::log(4000.0), Catch::Matchers::WithinRel(0.2 * 2.571, 0.03));
+  CHECK_THAT(percentile(elasticity, 0.025) - std::log(4000.0), Catch::Matchers::WithinRel(-0.2 * 2.571, 0.03));
   const auto ratio = logs(draws, [](const auto& p) { return p.muscle / p.elasticity; });
   double squares = 0.0;
   for (const double r : ratio) squares += std::pow(r - std::log(24.0 / 4000.0), 2) / 4000.0;
   // Student's t with 5 degrees of freedom has the variance 5/3.
-  CHECK_THAT(squares, WithinRel(0.0001 * 5.0 / 3.0 + 0.03 * 0.03, 0.05));
+  CHECK_THAT(squares, Catch::Matchers::WithinRel(0.0001 * 5.0 / 3.0 + 0.03 * 0.03, 0.05));
 }
 
 TEST_CASE("Draws of the recoil time have the energy law's interval, and all else follows", "[unit]") {
@@ -79,15 +79,15 @@ TEST_CASE("Draws of the recoil time have the energy law's interval, and all else
   const auto draws = posterior_draws({best, none, 11.0, 0.0, along}, space, 4000, 7);
   // A share of 1 would need the true time of 0.5 s: the law takes 0.40 of it, 0.20 s.
   const auto time = logs(draws, time_of);
-  CHECK_THAT(std::exp(percentile(time, 0.5)), WithinRel(0.2, 0.02));
+  CHECK_THAT(std::exp(percentile(time, 0.5)), Catch::Matchers::WithinRel(0.2, 0.02));
   const double spread = std::hypot(log_error * 2.201, 1.96 * TrunkAsCompartment::log_error);  // t of 11
   const auto reach = [&](double limit) { return std::hypot(std::log(limit / 0.2), spread); };
-  CHECK_THAT(std::log(0.2) - percentile(time, 0.025), WithinRel(reach(low), 0.1));
-  CHECK_THAT(percentile(time, 0.975) - std::log(0.2), WithinRel(reach(high), 0.1));
+  CHECK_THAT(std::log(0.2) - percentile(time, 0.025), Catch::Matchers::WithinRel(reach(low), 0.1));
+  CHECK_THAT(percentile(time, 0.975) - std::log(0.2), Catch::Matchers::WithinRel(reach(high), 0.1));
   for (const Candidate& c : draws) {
     const double ratio = c.parameters.muscle / c.parameters.elasticity;
     CHECK_THAT(std::log(ratio / (24.0 / 4000.0)),
-               WithinAbs(0.5 * std::log(time_of(c.parameters) / 0.125), 1e-9));
+               Catch::Matchers::WithinAbs(0.5 * std::log(time_of(c.parameters) / 0.125), 1e-9));
   }
 }
 
@@ -103,5 +103,5 @@ TEST_CASE("A recoil time without a limit ends a tenth beyond the longest that wa
   const auto draws = posterior_draws({best, Eigen::MatrixXd::Zero(2, 2), 11.0, 0.0, along}, space, 256, 7);
   const auto elasticity = logs(draws, [](const auto& p) { return p.elasticity; });
   CHECK_THAT(*std::min_element(elasticity.begin(), elasticity.end()),
-             WithinAbs(std::log(4000.0) - 1.1 * std::log(2.0), 1e-9));
+             Catch::Matchers::WithinAbs(std::log(4000.0) - 1.1 * std::log(2.0), 1e-9));
 }
