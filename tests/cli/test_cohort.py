@@ -8,7 +8,7 @@ import unittest
 
 import h5py
 
-from support import FAST_FIT, HEALTHY, SCENARIOS, TrunkTest, breaths, csv, trace
+from support import FAST_FIT, HEALTHY, ROOT, SCENARIOS, TrunkTest, breaths, csv, trace
 
 PARALYSED = str(SCENARIOS / "hemiparalysis_right.toml")
 FITTED = (0, 4)
@@ -95,6 +95,22 @@ class Prediction(TrunkTest):
         with h5py.File(self.folder / "r.h5") as file:
             self.assertEqual(file["intervals/delta_l_mm_upper95"][()], run["delta_l_mm_upper95"])
         self.assertTrue(self.succeeds("replay", "r.h5", "--tolerance", "0")["same"])
+
+    def test_draws_have_the_intervals_of_the_fit(self):
+        fit = self.succeeds("fit", HEALTHY, "--trace", ROOT / "reference/constructed_trace.csv", "-o", "f.h5", "--surface", "0",
+                            "--draws", "1000", codes=FITTED)
+        with h5py.File(self.folder / "f.h5") as file:
+            names = [name.decode() for name in file["draws/parameter"]]
+            elasticity, muscle = (file["draws/value"][:, names.index(name)] for name in ("k_elasticity", "k_muscle"))
+        results = fit["results"]
+        recoil = results["recoil_time_s"]["value"] * results["k_elasticity"]["value"] / elasticity
+        for name, drawn in (("recoil_time_s", recoil), ("k_muscle_over_k_elasticity", muscle / elasticity),
+                            ("k_elasticity", elasticity), ("k_muscle", muscle)):
+            with self.subTest(name):
+                low, high = sorted(drawn)[25], sorted(drawn)[974]
+                told = math.log(results[name]["upper95"] / results[name]["lower95"])
+                self.assertAlmostEqual(math.log(high / low), told, delta=0.1 * told)
+                self.assertAlmostEqual(math.log(low / results[name]["lower95"]), 0, delta=0.1 * told)
 
     def test_what_is_set_has_no_spread(self):
         self.predicted(*ONE, "--draws", "16")

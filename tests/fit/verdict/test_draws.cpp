@@ -10,6 +10,7 @@
 #include "support/catch.hpp"
 
 using namespace trunk;
+using Catch::Matchers::WithinAbs, Catch::Matchers::WithinRel;
 
 namespace {
 
