@@ -75,6 +75,7 @@ std::vector<NamedText> csv_tables(const RunRecord& run) {
   std::vector<NamedText> files = {{"curves.csv", series_over_time(run.curve_time_s, run.curves)},
                                   {"measures.csv", names_and_numbers(run.measures)},
                                   {"parameters.csv", names_and_numbers(run.parameters)}};
+  if (!run.intervals.empty()) files.push_back({"intervals.csv", names_and_numbers(run.intervals)});
   for (NamedText& file : csv_trajectory_tables(run)) files.push_back(std::move(file));
   return files;
 }

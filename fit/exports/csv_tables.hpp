@@ -7,9 +7,9 @@
 
 namespace trunk {
 
-/// Returns a run as tables: curves, measures, parameters, and, if there is a trajectory, frames, positions,
-/// particles, triangles and fibres. Headers carry units (time_s, dV_model_ml), and numbers have all their
-/// digits. An unknown number is an empty cell.
+/// Returns a run as tables: curves, measures, parameters, and, if there are any, intervals of the measures;
+/// and if there is a trajectory, frames, positions, particles, triangles and fibres. Headers carry units
+/// (time_s, dV_model_ml), and numbers have all their digits. An unknown number is an empty cell.
 std::vector<NamedText> csv_tables(const RunRecord& run);
 
 /// Returns the tables of the trajectory alone; none if there is no trajectory.

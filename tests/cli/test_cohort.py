@@ -95,6 +95,9 @@ class Prediction(TrunkTest):
         with h5py.File(self.folder / "r.h5") as file:
             self.assertEqual(file["intervals/delta_l_mm_upper95"][()], run["delta_l_mm_upper95"])
         self.assertTrue(self.succeeds("replay", "r.h5", "--tolerance", "0")["same"])
+        self.succeeds("export", "r.h5", "--csv", "out")
+        ends = {r["name"]: float(r["value"]) for r in tables.DictReader(io.StringIO((self.folder / "out/intervals.csv").read_text()))}
+        self.assertEqual(ends["delta_l_mm_upper95"], run["delta_l_mm_upper95"])
 
     def test_draws_have_the_intervals_of_the_fit(self):
         fit = self.succeeds("fit", HEALTHY, "--trace", ROOT / "reference/constructed_trace.csv", "-o", "f.h5", "--surface", "0",

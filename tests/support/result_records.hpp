@@ -54,6 +54,7 @@ inline RunRecord sample_run() {
   run.trunk_pml = "<physicalModel/>";
   run.parameters = {{"k_muscle", "N m-1", 30.7}, {"k_elasticity", "N m-1", 4000}};
   run.measures = {{"delta_v", "ml", 466.125}, {"delta_l", "mm", 9.13}, {"wall_s", "s", 0.25}};
+  run.intervals = {{"delta_v_lower95", "ml", 450.5}, {"delta_v_upper95", "ml", 480.25}};
   Trajectory& trajectory = run.trajectory;
   trajectory.particles = 3;
   for (int frame = 0; frame < 70; ++frame) {

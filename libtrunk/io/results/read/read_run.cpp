@@ -162,6 +162,7 @@ RunRecord layout::read_run_content(hid_t run) {
   if (has_link(run, "parameters/trunk_pml")) record.trunk_pml = hdf5::read_text(run, "parameters/trunk_pml");
   record.parameters = read_numbers(run, "parameters");
   record.measures = read_numbers(run, "measures");
+  if (has_link(run, "intervals")) record.intervals = read_numbers(run, "intervals");
   record.trajectory = read_trajectory(run);
   read_connectivity(run, record.trajectory);
   read_curves(run, record);
