@@ -38,7 +38,7 @@ class ResultsTest(TrunkTest):
         file.visititems(lambda path, o: (groups if isinstance(o, h5py.Group) else datasets).append(path))
         beside = tuple("parameters/" + name for name in ("initial", "lower", "upper", "best", "stderr", "lower95", "upper95",
                                                        "naive_lower95", "naive_upper95"))
-        beside += ("problem/bounds", "evaluations/x", "starts/from", "starts/to",
+        beside += ("problem/bounds", "evaluations/x", "draws/value", "starts/from", "starts/to",
                    *(f"{group}/{name}" for group in ("results", "straight_activation")
                      for name in ("value", "lower95", "upper95")))  # their units stand in a column beside them
         data = {path: file[path] for path in datasets}
