@@ -27,9 +27,9 @@ struct TrunkAsCompartment {
   }
 };
 
-/// Returns the compartment of a trunk that springs back like this. Some trunks have no recoil time: of one with
-/// a paralysed side the domes sway for longer than the volume lasts, and one that is hardly damped swings.
-/// They get the usual one, and the fit corrects it.
+/// Returns the compartment of a trunk that springs back like this. Some trunks have no recoil time: of one
+/// with a paralysed side the domes sway for longer than the volume lasts, and one that is hardly damped
+/// swings. They get the usual one, and the fit corrects it.
 TrunkAsCompartment as_compartment(const Recoil& recoil);
 
 /// One compartment that stands in for the trunk. It costs a thousandth of a simulation. What it misses at one

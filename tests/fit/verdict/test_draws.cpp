@@ -51,7 +51,8 @@ TEST_CASE("Draws of stiffness have the spread of Student's t and of the volume's
   const auto elasticity = logs(draws, [](const auto& p) { return p.elasticity; });
   // 2.571 is the 97.5 % point of Student's t with 5 degrees of freedom (tables).
   CHECK_THAT(percentile(elasticity, 0.975) - std::log(4000.0), Catch::Matchers::WithinRel(0.2 * 2.571, 0.03));
-  CHECK_THAT(percentile(elasticity, 0.025) - std::log(4000.0), Catch::Matchers::WithinRel(-0.2 * 2.571, 0.03));
+  CHECK_THAT(percentile(elasticity, 0.025) - std::log(4000.0),
+             Catch::Matchers::WithinRel(-0.2 * 2.571, 0.03));
   const auto ratio = logs(draws, [](const auto& p) { return p.muscle / p.elasticity; });
   double squares = 0.0;
   for (const double r : ratio) squares += std::pow(r - std::log(24.0 / 4000.0), 2) / 4000.0;
