@@ -8,6 +8,7 @@
 
 #include "anatomy/breath_run.hpp"
 #include "math/units.hpp"
+#include "verdict/reasons.hpp"
 #include "verdict/sentences.hpp"
 #include "verdict/spread.hpp"
 
@@ -140,18 +141,18 @@ class Assessment {
   void add_parameters() {
     const auto& c = p_.compartment;
     const bool ratio_free = space_.find("k_muscle") || space_.find("k_elasticity");
-    const std::string course = course_reason();
+    const std::string course = course_reason(in_, recoil_);
     const Reading r_ei = [&](const Candidate& x) {
       return muscle_against_recoil(c, x, p_.grid, p_.measured);
     };
     FitResult inspiration = result("r_ei", "1", read(r_ei), true);
-    grade_inspiration(inspiration);
+    grade_inspiration(in_, inspiration);
     add(std::move(inspiration));
     FitResult recoil = recoil_result();
     set_reason(recoil, course);
     add(std::move(recoil));
     if (!ratio_free) return;
-    const std::string shape = shape_assumption();
+    const std::string shape = course_assumption(in_);
     FitResult ratio =
         result("k_muscle_over_k_elasticity", "1",
                read([](const Candidate& x) { return x.parameters.muscle / x.parameters.elasticity; }), true);
@@ -186,7 +187,7 @@ class Assessment {
     }
     const bool damped = static_cast<bool>(space_.find("damping"));
     stiffness.assumption = fmt::format("a damping of {:g} N s/m, which no volume can tell{}",
-                                       best_.parameters.damping, "; " + shape_assumption());
+                                       best_.parameters.damping, "; " + course_assumption(in_));
     set_reason(stiffness, damped ? "the damping is free, and volume gives no scale of forces" : course);
     add(std::move(stiffness));
   }
@@ -204,15 +205,8 @@ class Assessment {
     };
     r.lower95 = r.value / widening(r.lower95);
     r.upper95 = r.value * widening(r.upper95);
-    r.assumption = shape_assumption();
+    r.assumption = course_assumption(in_);
     return r;
-  }
-
-  std::string shape_assumption() const {
-    if (in_.straight) return "the activation is made of straight lines";
-    if (in_.energy_known) return "the airway takes about 40 % (18 to 87 %) of the energy that recoil stores";
-    return space_.find("k_elasticity") ? "the course of the activation is as given"
-                                       : "k_elasticity is as given";
   }
 
   void add_measures() {
@@ -249,74 +243,9 @@ class Assessment {
                                  false),
                              true);
     above.lower95 = std::max(above.lower95, 0.0);
-    above.assumption = shape_assumption();
-    set_reason(above, course_reason());
+    above.assumption = course_assumption(in_);
+    set_reason(above, course_reason(in_, recoil_));
     add(std::move(above));
-  }
-
-  /// Determined: the end of expiration is at rest, five breaths or more, and 10 % or less.
-  void grade_inspiration(FitResult& r) const {
-    const std::string few = few_breaths();
-    if (!few.empty()) return set_reason(r, few);
-    const double half_width = std::max(r.upper95 / r.value, r.value / r.lower95) - 1.0;
-    const RecoilTime recoil = in_.breath ? recoil_time(*in_.breath) : RecoilTime{};
-    const bool rests = recoil.late_share < 0.1;
-    if (rests && in_.breath && in_.breath->breaths_used >= 5 && half_width <= 0.10)
-      r.grade = Grade::determined;
-    else
-      r.assumption = rests ? "more breaths would be like these"
-                           : "the recoil time is as given below, since expiration does not end at rest";
-  }
-
-  std::string few_breaths() const {
-    const int used = in_.breath ? in_.breath->breaths_used : 0;
-    if (used >= 3) return "";
-    return used == 1 ? "one breath shows no spread" : fmt::format("{} breaths show too little spread", used);
-  }
-
-  /// Returns why nothing that goes with the recoil time is determined; or "".
-  std::string course_reason() const {
-    if (const std::string few = few_breaths(); !few.empty()) return few;
-    if (in_.energy_known && recoil_ && !recoil_->has_upper_limit)
-      return "expiration does not slow down before it ends, so no recoil time is too long";
-    if (const std::string bound = at_bound(); !bound.empty()) return bound + " stopped at its bound";
-    if (in_.energy_known) return "";
-    if (const std::string two = two_optima(); !two.empty()) return two;
-    return energy_reason();
-  }
-
-  std::string at_bound() const {
-    for (const std::vector<Estimate>* list : {&e_.uncertainty->parameters, &e_.uncertainty->beside})
-      for (const Estimate& estimate : *list)
-        if (estimate.at_bound && !estimate.name.starts_with("shape_")) return estimate.name;
-    return "";
-  }
-
-  /// Other optima that fit as well, at another recoil time.
-  std::string two_optima() const {
-    for (const LocalSearch& s : in_.optima) {
-      const double first = p_.compartment.recoil_time_s(in_.optima.front().to.parameters),
-                   other = p_.compartment.recoil_time_s(s.to.parameters);
-      if (s.objective <= 1.05 * in_.optima.front().objective && std::abs(std::log(other / first)) > 0.2)
-        return fmt::format("recoil times of {:.2g} s and {:.2g} s fit equally well", first, other);
-    }
-    return "";
-  }
-
-  std::string energy_reason() const {
-    if (!in_.breath || !space_.find("k_elasticity")) return "";
-    const double share =
-        resistive_share(expired_energy(*in_.breath), p_.compartment.recoil_time_s(best_.parameters));
-    if (share >= share_limits95().low && share <= 1.0) return "";
-    return fmt::format(
-        "it lets the airway take {:.0f} % of the energy that recoil stores; 18 to 100 % is plausible",
-        100.0 * share);
-  }
-
-  static void set_reason(FitResult& r, const std::string& reason) {
-    if (reason.empty()) return;
-    r.grade = Grade::not_determined;
-    r.reason = reason;
   }
 
   void add(FitResult r) { results_.results.push_back(std::move(r)); }

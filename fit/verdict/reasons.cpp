@@ -1,0 +1,85 @@
+#include "verdict/reasons.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace trunk {
+namespace {
+
+/// Returns the first parameter that stopped at its bound, or "".
+std::string at_bound(const FitEvidence& in) {
+  for (const std::vector<Estimate>* list :
+       {&in.estimation.uncertainty->parameters, &in.estimation.uncertainty->beside})
+    for (const Estimate& estimate : *list)
+      if (estimate.at_bound && !estimate.name.starts_with("shape_")) return estimate.name;
+  return "";
+}
+
+/// Other optima that fit as well, at another recoil time.
+std::string two_optima(const FitEvidence& in) {
+  for (const LocalSearch& s : in.optima) {
+    const double first = in.problem.compartment.recoil_time_s(in.optima.front().to.parameters),
+                 other = in.problem.compartment.recoil_time_s(s.to.parameters);
+    if (s.objective <= 1.05 * in.optima.front().objective && std::abs(std::log(other / first)) > 0.2)
+      return fmt::format("recoil times of {:.2g} s and {:.2g} s fit equally well", first, other);
+  }
+  return "";
+}
+
+std::string energy_reason(const FitEvidence& in) {
+  if (!in.breath || !in.problem.space.find("k_elasticity")) return "";
+  const double share = resistive_share(expired_energy(*in.breath),
+                                       in.problem.compartment.recoil_time_s(in.estimation.best.parameters));
+  if (share >= share_limits95().low && share <= 1.0) return "";
+  return fmt::format(
+      "it lets the airway take {:.0f} % of the energy that recoil stores; 18 to 100 % is plausible",
+      100.0 * share);
+}
+
+}  // namespace
+
+std::string course_assumption(const FitEvidence& in) {
+  if (in.straight) return "the activation is made of straight lines";
+  if (in.energy_known) return "the airway takes about 40 % (18 to 87 %) of the energy that recoil stores";
+  return in.problem.space.find("k_elasticity") ? "the course of the activation is as given"
+                                               : "k_elasticity is as given";
+}
+
+std::string few_breaths(const FitEvidence& in) {
+  const int used = in.breath ? in.breath->breaths_used : 0;
+  if (used >= 3) return "";
+  return used == 1 ? "one breath shows no spread" : fmt::format("{} breaths show too little spread", used);
+}
+
+std::string course_reason(const FitEvidence& in, const std::optional<RecoilTime>& recoil) {
+  if (const std::string few = few_breaths(in); !few.empty()) return few;
+  if (in.energy_known && recoil && !recoil->has_upper_limit)
+    return "expiration does not slow down before it ends, so no recoil time is too long";
+  if (const std::string bound = at_bound(in); !bound.empty()) return bound + " stopped at its bound";
+  if (in.energy_known) return "";
+  if (const std::string two = two_optima(in); !two.empty()) return two;
+  return energy_reason(in);
+}
+
+void grade_inspiration(const FitEvidence& in, FitResult& r) {
+  const std::string few = few_breaths(in);
+  if (!few.empty()) return set_reason(r, few);
+  const double half_width = std::max(r.upper95 / r.value, r.value / r.lower95) - 1.0;
+  const RecoilTime recoil = in.breath ? recoil_time(*in.breath) : RecoilTime{};
+  const bool rests = recoil.late_share < 0.1;
+  if (rests && in.breath && in.breath->breaths_used >= 5 && half_width <= 0.10)
+    r.grade = Grade::determined;
+  else
+    r.assumption = rests ? "more breaths would be like these"
+                         : "the recoil time is as given below, since expiration does not end at rest";
+}
+
+void set_reason(FitResult& r, const std::string& reason) {
+  if (reason.empty()) return;
+  r.grade = Grade::not_determined;
+  r.reason = reason;
+}
+
+}  // namespace trunk

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <optional>
+
+#include "verdict/assess_fit.hpp"
+
+namespace trunk {
+
+/// Returns what intervals that go with the recoil time stand on.
+std::string course_assumption(const FitEvidence& evidence);
+
+/// Returns why the few breaths of a recording show too little spread; "" for three or more.
+std::string few_breaths(const FitEvidence& evidence);
+
+/// Returns why nothing that goes with the recoil time is determined; "" if nothing speaks against it.
+/// `recoil` is what the energy of expiration gives, if it is known.
+std::string course_reason(const FitEvidence& evidence, const std::optional<RecoilTime>& recoil);
+
+/// Grades the muscle against the recoil. It is determined if the end of expiration is at rest, and five
+/// breaths or more give it within 10 % (our choice).
+void grade_inspiration(const FitEvidence& evidence, FitResult& result);
+
+/// Makes a result not determined, for a reason; "" leaves it as it is.
+void set_reason(FitResult& result, const std::string& reason);
+
+}  // namespace trunk
