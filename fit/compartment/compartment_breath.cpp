@@ -60,7 +60,7 @@ std::vector<Piece> pieces_of(const BreathActivation<double>& a, double duration_
     return pieces;
   }
   const double first = a.onset_s - duration_s * std::ceil(a.onset_s / duration_s);  // in (-duration, 0]
-  for (double onset = first; onset < duration_s; onset += duration_s)
+  for (const double onset : {first, first + duration_s})  // the breath that begins before, and the next one
     add_breath(onset, std::max(onset, 0.0), std::min(onset + duration_s, duration_s));
   return pieces;
 }

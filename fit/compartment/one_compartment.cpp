@@ -35,11 +35,13 @@ double residual_sum(double log_time_constant, void* problem) {
 /// bracket.
 double best_on_grid(Problem& problem, double low, double high, double spacing) {
   double best = low, lowest = residual_sum(low, &problem);
-  for (double x = low + spacing; x <= high; x += spacing)
-    if (const double value = residual_sum(x, &problem); value < lowest) {
-      best = x;
-      lowest = value;
-    }
+  const auto points = static_cast<int>((high - low) / spacing);
+  for (int i = 1; i <= points; ++i) {
+    const double x = low + i * spacing, value = residual_sum(x, &problem);
+    if (value >= lowest) continue;
+    best = x;
+    lowest = value;
+  }
   return best;
 }
 

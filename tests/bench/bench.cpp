@@ -16,6 +16,7 @@
 #include "anatomy/breath_run.hpp"
 #include "dynamics/auto_time_step.hpp"
 #include "dynamics/kernel.hpp"
+#include "dynamics/recoil.hpp"
 #include "dynamics/stability.hpp"
 #include "dynamics/volume_curve.hpp"
 #include "estimation/estimate.hpp"
@@ -117,20 +118,22 @@ Case fit(const Subject& s, const TimeGrid& grid) {
   start.parameters.muscle *= 0.7;
   EstimationOptions options;
   options.search.coordinate_tolerance = 1e-6;
-  options.cross_check = options.profiles = false;
+  options.profiles = false;
   options.surface_points = 0;
   const auto result = std::make_shared<Estimation>();
-  return {[=] {
-            Ledger ledger;
-            const SearchSpace space({"k_elasticity", "k_muscle"}, start);
-            *result = estimate(s.trunk, grid, space, measured, options, ledger);
-          },
-          [=] {
-            return fmt::format(
-                R"(, "evaluations": {}, "simulations": {}, "converged": {}, "relative_error": {:.3g})",
-                result->search.evaluations, result->simulated, result->search.converged,
-                std::abs(result->best.parameters.elasticity / s.scenario.parameters.elasticity - 1.0));
-          }};
+  const TrunkAsCompartment compartment = as_compartment(measure_recoil(s.trunk.model, start.parameters));
+  return {
+      [=] {
+        Ledger ledger;
+        const SearchSpace space({"k_elasticity", "k_muscle"}, start);
+        *result = estimate({s.trunk, grid, space, measured, compartment, start.parameters}, options, ledger);
+      },
+      [=] {
+        return fmt::format(
+            R"(, "evaluations": {}, "simulations": {}, "converged": {}, "relative_error": {:.3g})",
+            result->search.evaluations, result->simulated, result->search.converged,
+            std::abs(result->best.parameters.elasticity / s.scenario.parameters.elasticity - 1.0));
+      }};
 }
 
 /// 200 steps at rest and a little later, of a mesh that fine; the time step goes down with its particles'
@@ -149,7 +152,7 @@ Case steps_of_mesh(int resolution) {
 const Kernel& kernel_named(const std::string& name) {
   for (const Kernel* k : kernels())
     if (name == k->instruction_set) return *k;
-  throw InputError("this machine has no kernel '" + name + "'");
+  throw InputError({}, "this machine has no kernel '" + name + "'", "one that it can run");
 }
 
 Case one_in(const Kernel& kernel, const Subject& s) {
@@ -199,10 +202,9 @@ Case made(const std::string& name) {
   if (what == "one") return one_in(kernel_named(which), subject("healthy"));
   if (what == "lanes") return lanes_in(kernel_named(which), subject("healthy"));
   if (what == "derivatives") return derivatives_in(kernel_named(which), subject("healthy"));
-  throw InputError(
-      "no case '" + name +
-      "', expected breath, auto_breath, accuracy, batch, auto_batch, fit or auto_fit [SCENARIO], "
-      "mesh RESOLUTION, or one, lanes or derivatives KERNEL");
+  throw InputError({}, "there is no case '" + name + "'",
+                   "breath, auto_breath, accuracy, batch, auto_batch, fit or auto_fit [SCENARIO], "
+                   "mesh RESOLUTION, or one, lanes or derivatives KERNEL");
 }
 
 std::string kernel_names() {
