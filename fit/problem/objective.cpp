@@ -49,7 +49,7 @@ Eigen::MatrixXd Objective::whitened(const Eigen::MatrixXd& volumes_m3) const {
 
 /// Returns all residuals that do not come from the curve.
 Eigen::VectorXd Objective::known(const Eigen::VectorXd& x) const {
-  const Eigen::VectorXd priors = space_.prior_residuals(x);
+  Eigen::VectorXd priors = space_.prior_residuals(x);
   if (!knowledge_) return priors;
   Eigen::VectorXd all(priors.size() + 1);
   all << priors, knowledge_(space_.decode(x));

@@ -16,7 +16,6 @@ namespace trunk {
 namespace {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-constexpr double unlimited = std::numeric_limits<double>::infinity();
 constexpr double normal_quantile = 1.96;
 
 /// A reading at the best point and at both ends of the interval of the recoil time, and its statistical

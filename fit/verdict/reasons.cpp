@@ -54,12 +54,12 @@ std::string few_breaths(const FitEvidence& in) {
 }
 
 std::string course_reason(const FitEvidence& in, const std::optional<RecoilTime>& recoil) {
-  if (const std::string few = few_breaths(in); !few.empty()) return few;
+  if (std::string few = few_breaths(in); !few.empty()) return few;
   if (in.energy_known && recoil && !recoil->has_upper_limit)
     return "expiration does not slow down before it ends, so no recoil time is too long";
   if (const std::string bound = at_bound(in); !bound.empty()) return bound + " stopped at its bound";
   if (in.energy_known) return "";
-  if (const std::string two = two_optima(in); !two.empty()) return two;
+  if (std::string two = two_optima(in); !two.empty()) return two;
   return energy_reason(in);
 }
 
