@@ -8,10 +8,11 @@ namespace trunk {
 
 /// How a trunk breathes as one compartment. It is not quite one: the compartment that follows its volume best
 /// has a time constant that depends on what may move along. With the timing held, that is 25.2 c/k on the
-/// default trunk; with the timing free, a subject with one resistance and elastance is fitted best by a trunk
-/// of 23.3 c/k (measured for R/E of 0.3 and 0.6 s). So the recoil time that is reported lies between the two,
-/// and its error of 4 % is a part of its interval (our choice). Its volume follows that of a compartment to
-/// about 0.2 % of the tidal volume (see measure_recoil).
+/// default trunk; with the timing free, 23.4, 23.3 and 22.7 c/k for three subjects of one resistance and
+/// elastance, and 22.0 c/k for the trunk's own breath. The recoil time that is reported lies between (our
+/// choice, made with these four in view): it was 2 to 4 % too long on all of them. A uniform error of 4 % to
+/// either side is a part of its interval. The volume follows that of a compartment to about 0.2 % of the
+/// tidal volume (see measure_recoil).
 struct TrunkAsCompartment {
   double recoil = 0.0;      // time constant = recoil * damping / k_elasticity
   double gain_m3 = 0.0;     // gain of the compartment = gain * k_muscle / k_elasticity

@@ -133,8 +133,9 @@ class Assessment {
     return out;
   }
 
-  /// Relative deviation of the measured volume: of segmentation and of the compartment, as twins of 12 equal
-  /// breaths show it, and of a gain that differs with the direction of flow.
+  /// Relative deviation of the measured volume: 1 % for segmentation and compartment, and that of a gain that
+  /// differs with the direction of flow. The 1 % is our choice: without it the ratio of twins whose breaths
+  /// are equal was covered in 58 to 83 % of 12 recordings, and its median was up to 0.7 % off.
   double volume_error() const { return std::hypot(0.01, in_.gain_error); }
 
   void add_parameters() {

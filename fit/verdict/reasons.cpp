@@ -38,13 +38,26 @@ std::string energy_reason(const FitEvidence& in) {
       100.0 * share);
 }
 
-}  // namespace
-
-std::string course_assumption(const FitEvidence& in) {
+std::string assumption_on_course(const FitEvidence& in) {
   if (in.straight) return "the activation is made of straight lines";
   if (in.energy_known) return "the airway takes about 40 % (18 to 87 %) of the energy that recoil stores";
   return in.problem.space.find("k_elasticity") ? "the course of the activation is as given"
                                                : "k_elasticity is as given";
+}
+
+/// Returns "; the prior given for k_elasticity holds", or "" if none was given.
+std::string given_priors(const FitEvidence& in) {
+  std::string names;
+  for (std::size_t i = 0; i < in.problem.space.asked_for(); ++i)
+    if (in.problem.space.given_deviation(i) > 0.0)
+      names += (names.empty() ? "" : " and ") + std::string(in.problem.space.parameter(i).name);
+  return names.empty() ? "" : "; the prior given for " + names + " holds";
+}
+
+}  // namespace
+
+std::string course_assumption(const FitEvidence& in) {
+  return assumption_on_course(in) + given_priors(in);
 }
 
 std::string few_breaths(const FitEvidence& in) {

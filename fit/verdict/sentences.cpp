@@ -34,6 +34,13 @@ std::string advice(const FitResults& results) {
   return " A measured pressure would replace the assumption.";
 }
 
+/// Returns assumptions, which semicolons separate, as one clause.
+std::string joined_by_and(std::string assumptions) {
+  for (std::size_t at; (at = assumptions.find("; ")) != std::string::npos;)
+    assumptions.replace(at, 2, " and ");
+  return assumptions;
+}
+
 }  // namespace
 
 std::string meaning_of(std::string_view result) {
@@ -74,7 +81,8 @@ std::string verdict_sentence(const FitResults& results, const FitEvidence& evide
   if (recoil->grade == Grade::not_determined && recoil->reason != inspiration->reason)
     text += fmt::format(" The recoil time and all that goes with it are not determined: {}.", recoil->reason);
   else if (recoil->grade == Grade::assumption)
-    text += fmt::format(" If {}, the recoil time is {}.", recoil->assumption, value_text(*recoil));
+    text +=
+        fmt::format(" If {}, the recoil time is {}.", joined_by_and(recoil->assumption), value_text(*recoil));
   return text + advice(results) + caveat(evidence.estimation.quality);
 }
 

@@ -1,7 +1,9 @@
 #include <cstdint>
 
 #include "estimation/estimate.hpp"
+#include "estimation/start.hpp"
 #include "support/catch.hpp"
+#include "support/random.hpp"
 #include "support/trunk_objective.hpp"
 #include "support/trunks.hpp"
 
@@ -120,35 +122,53 @@ TEST_CASE("Runs that fail are counted, and the fit continues", "[regression][slo
   CHECK(e.best.parameters.elasticity == Approx(s.parameters.elasticity).epsilon(0.02));
 }
 
-TEST_CASE("A sniff before the breath traps one search, and many starts find the breath", "[unit][fit]") {
-  TimeGrid grid{4e-3, 5.0};
-  const BreathActivation<double> timing{.rise_s = 0.5, .fast_fall_s = 0.3, .slow_fall_s = 0.3};
+TEST_CASE("One start of the timing misses the best optimum of some breaths, and twelve miss few",
+          "[unit][fit]") {
   const TrunkAsCompartment compartment{25.0, 0.0726, 0.0726, 25.0};
-  const Parameters<double> truth{4000.0, 30.0, 20.0, 1.0};
-  MeasuredCurve measured;
-  for (int i = 0; i <= 200; ++i) measured.time_s.push_back(5.0 * i / 200);
-  const auto curve_from = [&](double onset_s, double strength) {
-    BreathActivation<double> a = timing;
-    a.onset_s = onset_s;
-    Parameters<double> p = truth;
-    p.muscle *= strength;
-    return compartment_breath(compartment.of(p), a, grid, measured.time_s).delta_v;
-  };
-  measured.delta_v = curve_from(0.9, 1.0);
-  const std::vector<double> sniff = curve_from(-0.7, 0.4);
-  for (std::size_t i = 0; i < sniff.size(); ++i) measured.delta_v[i] += sniff[i];
-  CompartmentFit fit{compartment, grid, measured, {"k_muscle"}, {"onset"}, {{"onset", {}, 0.0}}};
-  Candidate begin{truth, timing};
-  begin.activation.onset_s = -0.7;  // the sniff is nearest
-  fit.starts = 1;
-  const LocalSearch one = compartment_searches(fit, begin).front();
-  fit.starts = 12;
-  const auto best = compartment_searches(fit, begin), again = compartment_searches(fit, begin);
-  CAPTURE(one.to.activation.onset_s, best.front().to.activation.onset_s);
-  CHECK(best.size() == 12);
-  CHECK(best.front().objective <= one.objective);
-  CHECK(best.front().to.activation.onset_s == again.front().to.activation.onset_s);  // seeded
-  for (std::size_t i = 1; i < best.size(); ++i) CHECK(best[i - 1].objective <= best[i].objective);
+  test::Random random(7);
+  int one_misses = 0, twelve_miss = 0;
+  constexpr int breaths = 40;
+  for (int k = 0; k < breaths; ++k) {
+    TimeGrid grid{4e-3, random.between(2.0, 6.0)};
+    grid.start = Start::periodic;
+    const double inspiration_s = random.between(0.3, 0.45) * grid.duration_s,
+                 expiration_s = grid.duration_s - inspiration_s;
+    Parameters<double> p{25.0 * 20.0 / random.between(0.15, 0.9), 0.0, 20.0, 1.0};
+    p.muscle = 0.0075 * p.elasticity;
+    BreathActivation<double> a{.onset_s = random.between(-0.1, 0.0),
+                               .rise_s = inspiration_s,
+                               .fast_fall_s = random.between(0.05, 0.5) * expiration_s,
+                               .slow_fall_s = random.between(0.2, 0.9) * expiration_s,
+                               .fast_fall_level = random.between(0.1, 0.8)};
+    for (double& knot : a.shape) knot = random.between(0.85, 1.15);  // muscles do not follow straight lines
+    MeasuredCurve measured;
+    for (int i = 0; i < 200; ++i) measured.time_s.push_back(grid.duration_s * i / 199);
+    measured.delta_v = compartment_breath(compartment.of(p), a, grid, measured.time_s).delta_v;
+    MeasuredBreath breath;
+    breath.inspiration_s = inspiration_s;
+    breath.duration_s = grid.duration_s;
+    const Candidate begin{{4000.0, 30.0, 20.0, 1.0}, activation_from_landmarks(breath)};
+    CompartmentFit fit{compartment,
+                       grid,
+                       measured,
+                       {"k_elasticity", "k_muscle"},
+                       {"onset", "rise", "fast_fall", "slow_fall", "fast_fall_level"},
+                       {}};
+    const auto best_of = [&](int starts) {
+      fit.starts = starts;
+      const auto all = compartment_searches(fit, begin);
+      REQUIRE(static_cast<int>(all.size()) == starts);
+      for (std::size_t i = 1; i < all.size(); ++i) CHECK(all[i - 1].objective <= all[i].objective);
+      return all.front().objective;
+    };
+    const double one = best_of(1), twelve = best_of(12), lowest = std::min(best_of(60), twelve);
+    CHECK(twelve == best_of(12));  // seeded
+    one_misses += one > 1.05 * lowest;
+    twelve_miss += twelve > 1.05 * lowest;
+  }
+  CAPTURE(one_misses, twelve_miss);
+  CHECK(one_misses >= 3);  // 5 were seen: otherwise these breaths show nothing
+  CHECK(twelve_miss <= 0.1 * breaths);
 }
 
 TEST_CASE("A robust loss ignores an outlier that least squares follows", "[regression][slow]") {
