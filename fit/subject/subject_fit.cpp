@@ -19,6 +19,8 @@
 namespace trunk {
 namespace {
 
+constexpr double usual_rate_per_s = 50.0;  // k_elasticity / damping: a recoil time of half a second
+
 std::vector<std::string> timing_names() {
   std::vector<std::string> names = parameter_names({"timing"});
   names.emplace_back("fast_fall_level");
@@ -135,7 +137,10 @@ SubjectFit::Draft SubjectFit::drafted() const {
 void SubjectFit::begin_with_compartment(const Draft& draft) {
   Scenario& scenario = file_.scenario;
   const Candidate begin{scenario.parameters, scenario.activation};
-  compartment_ = as_compartment(measure_recoil(trunk_.model, scenario.parameters));
+  // At a stiffness that no start can move: inertia counts a little, and would move the result with the start.
+  Parameters<double> usual = scenario.parameters;
+  usual.elasticity = usual_rate_per_s * usual.damping;
+  compartment_ = as_compartment(measure_recoil(trunk_.model, usual));
   CompartmentFit fit{compartment_, scenario.time, measured_curve_, draft.names, draft.beside, plan_.priors};
   fit.starts = plan_.starts;
   fit.seed = plan_.estimation.search.seed;
