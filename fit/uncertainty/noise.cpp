@@ -1,6 +1,5 @@
 #include "uncertainty/noise.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
@@ -17,33 +16,18 @@ Eigen::MatrixXd whitened(const Eigen::MatrixXd& x, double rho) {
   return w;
 }
 
-/// The whitened residuals without their part along the whitened fitted directions.
-struct WhiteFit {
-  double squares;          // sum of squares left
-  double log_determinant;  // of the fitted directions' Gram matrix
-};
-
-WhiteFit white_fit(const Eigen::VectorXd& residuals, const Eigen::MatrixXd& basis, double rho) {
-  const Eigen::MatrixXd j = whitened(basis, rho);
-  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(j);
-  Eigen::VectorXd rotated = qr.householderQ().adjoint() * Eigen::VectorXd(whitened(residuals, rho));
-  const Eigen::Index p = basis.cols();
-  return {rotated.tail(rotated.size() - p).squaredNorm(),
-          2.0 * qr.matrixQR().diagonal().head(p).cwiseAbs().array().log().sum()};
+/// Returns what the whitened fitted directions leave of the whitened residuals.
+Remainder white_remainder(const Eigen::VectorXd& residuals, const Eigen::MatrixXd& basis, double rho) {
+  return remainder_along(whitened(basis, rho), whitened(residuals, rho));
 }
 
 /// Returns the restricted log likelihood of rho at the best deviation, up to a constant (Patterson and
 /// Thompson 1971).
 double restricted_likelihood(const Eigen::VectorXd& residuals, const Eigen::MatrixXd& basis, double rho) {
   const auto n = static_cast<double>(residuals.size()), p = static_cast<double>(basis.cols());
-  const WhiteFit fit = white_fit(residuals, basis, rho);
+  const Remainder left = white_remainder(residuals, basis, rho);
   return -0.5 *
-         ((n - 1.0) * std::log(1.0 - rho * rho) + fit.log_determinant + (n - p) * std::log(fit.squares));
-}
-
-Eigen::MatrixXd basis_of(const Eigen::MatrixXd& jacobian) {
-  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(jacobian);
-  return qr.householderQ() * Eigen::MatrixXd::Identity(jacobian.rows(), qr.rank());
+         ((n - 1.0) * std::log(1.0 - rho * rho) + left.log_determinant + (n - p) * std::log(left.squares));
 }
 
 }  // namespace
@@ -56,7 +40,7 @@ double autocorrelation(const Eigen::VectorXd& r, Eigen::Index lag) {
 }
 
 Noise estimate_noise(const Eigen::VectorXd& residuals, const Eigen::MatrixXd& jacobian) {
-  const Eigen::MatrixXd basis = basis_of(jacobian);
+  const Eigen::MatrixXd basis = orthonormal_basis(jacobian);
   Noise noise;
   noise.freedom = std::max(1.0, static_cast<double>(residuals.size() - basis.cols()));
   noise.white_deviation = noise.deviation = std::sqrt(residuals.squaredNorm() / noise.freedom);
@@ -67,7 +51,7 @@ Noise estimate_noise(const Eigen::VectorXd& residuals, const Eigen::MatrixXd& ja
   for (int k = 0; k <= steps; ++k) {
     log_rest[k] = std::log(1.0 - highest_rho) * k / steps;
     const double rho = 1.0 - std::exp(log_rest[k]);
-    log_deviation[k] = 0.5 * std::log(white_fit(residuals, basis, rho).squares / noise.freedom);
+    log_deviation[k] = 0.5 * std::log(white_remainder(residuals, basis, rho).squares / noise.freedom);
     likelihood[k] = restricted_likelihood(residuals, basis, rho);
   }
   const Eigen::ArrayXd weight = (likelihood - likelihood.maxCoeff()).exp();

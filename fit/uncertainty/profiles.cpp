@@ -1,6 +1,5 @@
 #include "uncertainty/profiles.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
@@ -16,7 +15,7 @@ struct Natural {
   Eigen::MatrixXd to_values, to_coordinates;
 
   explicit Natural(const SearchSpace& space)
-      : to_values(space.values_by_coordinates()), to_coordinates(to_values.inverse()) {}
+      : to_values(space.values_by_coordinates()), to_coordinates(inverse_of(to_values)) {}
 
   Eigen::MatrixXd of(const Eigen::MatrixXd& covariance) const {
     return to_values * covariance * to_values.transpose();
