@@ -122,6 +122,12 @@ void cut_long_pauses(Breaths& breaths) {
 
 }  // namespace
 
+const MeasuredChannel* MeasuredBreath::channel(ChannelKind kind) const {
+  const auto found =
+      std::find_if(channels.begin(), channels.end(), [&](const auto& c) { return c.kind == kind; });
+  return found == channels.end() ? nullptr : &*found;
+}
+
 MeasuredBreath mean_breath(const Segmentation& segmentation, int samples) {
   check_usable(segmentation, samples);
   Breaths kept;

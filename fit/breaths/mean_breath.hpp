@@ -1,11 +1,25 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "breaths/segment.hpp"
 
 namespace trunk {
+
+/// A channel over the mean breath, stretched in time as the volume is. Pressures (Pa) and the excursion (m)
+/// are changes from end-expiration: a line from the end of one expiration to the next is removed. An EMG is
+/// in its own unit, above its lowest level.
+struct MeasuredChannel {
+  ChannelKind kind = ChannelKind::pleural;
+  std::string column;                  ///< name in the file, for messages
+  std::vector<double> value;           ///< [samples of the mean breath] mean over `each`
+  std::vector<double> sigma;           ///< [samples] standard deviation over breaths; > 0
+  std::vector<double> standard_error;  ///< [samples] of `value`
+  std::vector<std::size_t> breaths;  ///< [each] the breaths that count, as positions in MeasuredBreath::used
+  std::vector<std::vector<double>> each;  ///< [breaths that count][samples]
+};
 
 /// The breath that a fit follows, on an even time grid from 0 (onset) to duration_s, both included.
 struct MeasuredBreath {
@@ -20,6 +34,10 @@ struct MeasuredBreath {
   /// [breaths][samples] their volumes, stretched as for the mean and exactly 0 at both ends: volume_m3 is
   /// their mean. The spread of what is fitted comes from them.
   std::vector<std::vector<double>> each_m3;
+  std::vector<MeasuredChannel> channels;  ///< at most one of each kind
+  std::optional<double> excursion_m{};    ///< of a dome from end-expiration to end-inspiration, if one number
+
+  const MeasuredChannel* channel(ChannelKind kind) const;  ///< null if it was not measured
 };
 
 /// Returns the mean of the kept breaths. Inspirations and expirations are stretched linearly to their mean

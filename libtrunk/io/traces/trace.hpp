@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "traces/channel.hpp"
+
 namespace trunk {
 
 /// A belt measures the circumference of the chest in its own unit. It is proportional to a volume by an
@@ -21,6 +23,8 @@ struct Trace {
   std::string time_unit = "s";     ///< unit in the file: "s", "ms", "min"; for messages
   std::string value_unit =
       "ml";  ///< unit in the file: "ml", "L", "L_s", "L_min", "ml_s"; belt: its own or ""
+  std::vector<TraceChannel> channels;   ///< at most one of each kind; none: the signal alone
+  std::optional<double> excursion_m{};  ///< of a dome from end-expiration to end-inspiration, if one number
 };
 
 /// The choices of a user. A column (channel, variable) is given by its name, by its name without the unit, or
