@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "breaths/knot_line.hpp"
+#include "breaths/mean_channels.hpp"
+#include "breaths/mean_of.hpp"
 #include "breaths/robust.hpp"
 #include "errors/input_error.hpp"
 #include "math/median.hpp"
@@ -12,7 +14,6 @@ namespace trunk {
 namespace {
 
 constexpr double least_sigma = 0.01;  // of the tidal volume
-constexpr std::size_t enough_for_deviation = 3;
 
 using Breaths = std::vector<Breath>;
 
@@ -42,27 +43,6 @@ std::vector<double> even_grid(double end, int samples) {
   for (int i = 0; i + 1 < samples; ++i) grid.push_back(end * i / (samples - 1));
   grid.push_back(end);  // exact, without rounding
   return grid;
-}
-
-// Returns the time in a breath that corresponds to time t of the mean: the same part of the same phase.
-double time_in(const Breath& breath, const MeasuredBreath& mean, double t) {
-  if (t <= mean.inspiration_s)
-    return breath.onset_s + (breath.peak_s - breath.onset_s) * t / mean.inspiration_s;
-  const double part = (t - mean.inspiration_s) / (mean.duration_s - mean.inspiration_s);
-  return breath.peak_s + (breath.end_s - breath.peak_s) * part;
-}
-
-double mean_of(const std::vector<double>& values) {
-  double sum = 0;
-  for (const double value : values) sum += value;
-  return sum / static_cast<double>(values.size());
-}
-
-double deviation_of(const std::vector<double>& values) {
-  const double mean = mean_of(values);
-  double sum = 0;
-  for (const double value : values) sum += (value - mean) * (value - mean);
-  return std::sqrt(sum / static_cast<double>(values.size() - 1));
 }
 
 // Returns the signal of every breath at time t of the mean, [breaths].
@@ -100,6 +80,8 @@ MeasuredBreath averaged(const Segmentation& segmentation, const Breaths& used, i
   mean.volume_m3.front() = mean.volume_m3.back() = 0;
   for (auto& volume : mean.each_m3) volume.front() = volume.back() = 0;
   mean.breaths_used = static_cast<int>(used.size());
+  mean.channels = mean_channels(segmentation, mean);
+  mean.excursion_m = segmentation.excursion_m;
   return mean;
 }
 
@@ -121,6 +103,13 @@ void cut_long_pauses(Breaths& breaths) {
 }
 
 }  // namespace
+
+double time_in(const Breath& breath, const MeasuredBreath& mean, double t) {
+  if (t <= mean.inspiration_s)
+    return breath.onset_s + (breath.peak_s - breath.onset_s) * t / mean.inspiration_s;
+  const double part = (t - mean.inspiration_s) / (mean.duration_s - mean.inspiration_s);
+  return breath.peak_s + (breath.end_s - breath.peak_s) * part;
+}
 
 const MeasuredChannel* MeasuredBreath::channel(ChannelKind kind) const {
   const auto found =

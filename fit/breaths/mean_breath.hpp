@@ -9,16 +9,18 @@
 namespace trunk {
 
 /// A channel over the mean breath, stretched in time as the volume is. Pressures (Pa) and the excursion (m)
-/// are changes from end-expiration: a line from the end of one expiration to the next is removed. An EMG is
-/// in its own unit, above its lowest level.
+/// are changes from end-expiration: the line from the level at the onset of a breath to that at its end is
+/// removed. An EMG is in its own unit, above the lowest value of its mean.
 struct MeasuredChannel {
   ChannelKind kind = ChannelKind::pleural;
-  std::string column;                  ///< name in the file, for messages
-  std::vector<double> value;           ///< [samples of the mean breath] mean over `each`
-  std::vector<double> sigma;           ///< [samples] standard deviation over breaths; > 0
-  std::vector<double> standard_error;  ///< [samples] of `value`
-  std::vector<std::size_t> breaths;  ///< [each] the breaths that count, as positions in MeasuredBreath::used
+  std::string column;                     ///< name in the file, for messages
+  std::vector<double> value;              ///< [samples of the mean breath] mean over `each`
+  std::vector<double> sigma;              ///< [samples] standard deviation over breaths; > 0
+  std::vector<double> standard_error;     ///< [samples] of `value`
+  std::vector<std::size_t> breaths;       ///< [that count] positions in MeasuredBreath::used
   std::vector<std::vector<double>> each;  ///< [breaths that count][samples]
+  double end_expiratory = 0;              ///< mean level that was removed, as the trace has it
+  std::vector<std::string> notes;         ///< messages about this channel
 };
 
 /// The breath that a fit follows, on an even time grid from 0 (onset) to duration_s, both included.
@@ -40,6 +42,10 @@ struct MeasuredBreath {
   const MeasuredChannel* channel(ChannelKind kind) const;  ///< null if it was not measured
 };
 
+/// Returns the time of the trace in a breath that corresponds to time t of the mean: the same part of the
+/// same phase.
+double time_in(const Breath& breath, const MeasuredBreath& mean, double t);
+
 /// Returns the mean of the kept breaths. Inspirations and expirations are stretched linearly to their mean
 /// durations, so that peaks coincide; then volumes are averaged. A pause that is longer than the median one
 /// by more than a tenth of a breath is cut to the median first. sigma is the standard deviation over breaths
@@ -47,7 +53,8 @@ struct MeasuredBreath {
 /// at least 1 % of the tidal volume, because all breaths are set to 0 at their ends and no spirometer is more
 /// exact (our choice).
 ///
-/// Throws InputError if samples < 3, if no breath is kept, or if the signal is a belt that is not calibrated.
+/// Channels follow their breaths (see mean_channels). Throws InputError if samples < 3, if no breath is kept,
+/// or if the signal is a belt that is not calibrated.
 MeasuredBreath mean_breath(const Segmentation& segmentation, int samples = 200);
 
 /// Returns breath `number`, kept or not, counted from 1 as in the list shown to the user. sigma is the

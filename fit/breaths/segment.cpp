@@ -173,7 +173,10 @@ Segmentation segment_breaths(const Trace& trace, const BreathSelection& selectio
                       trace.sigma_m3,
                       trace.source,
                       trace.kind != SignalKind::belt,
-                      marks.rest};
+                      marks.rest,
+                      trace.channels,
+                      trace.excursion_m,
+                      trace.sign};
   result.notes.insert(result.notes.end(), signal.notes.begin(), signal.notes.end());
   const double period = median_of(result.breaths, duration), volume = median_of(result.breaths, tidal_volume);
   check_period(trace, period);

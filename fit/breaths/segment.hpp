@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,9 @@ struct Segmentation {
   std::string source;              ///< file name of the trace, for messages
   bool calibrated = true;          ///< false for a belt: members in m3 are in the belt's own unit
   KnotLine rest;  ///< [breaths+1] the ends of expiration: time s, and volume m3 before drift is removed
+  std::vector<TraceChannel> channels{};   ///< those of the trace, [samples] as volume_m3
+  std::optional<double> excursion_m{};    ///< of a dome over a breath, if one number was measured
+  SignShownBy sign = SignShownBy::shape;  ///< what shows which way is up
 };
 
 /// Returns the breaths of a trace. The steps are: repair and integrate (volume_signal), find turning points

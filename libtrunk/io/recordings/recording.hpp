@@ -12,9 +12,10 @@ namespace trunk {
 
 /// The description of one recorded quantity in a file.
 struct Channel {
-  std::string name;    ///< as in the file; a number from 1 if the file has no names
-  std::string unit;    ///< if the file gives it separately from the name; else empty
-  double rate_hz = 0;  ///< samples per second; 0: the file does not say it
+  std::string name;         ///< as in the file; a number from 1 if the file has no names
+  std::string unit;         ///< if the file gives it separately from the name; else empty
+  double rate_hz = 0;       ///< samples per second; 0: the file does not say it
+  std::size_t samples = 0;  ///< how many there are; 0: as many as of all other channels
 };
 
 /// Samples of chosen channels, in the units of the file.

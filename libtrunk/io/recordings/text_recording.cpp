@@ -20,7 +20,7 @@ class TextRecording : public Recording {
     source = table_.source();
     header_line = table_.header_line();
     for (std::size_t i = 0; i < table_.names().size(); ++i)
-      channels.push_back({table_.names()[i], table_.units().empty() ? "" : table_.units()[i], 0});
+      channels.push_back({table_.names()[i], table_.units().empty() ? "" : table_.units()[i], 0, 0});
     look_at_first_rows();
   }
 

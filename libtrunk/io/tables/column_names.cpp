@@ -127,10 +127,12 @@ bool is_documented(const ColumnName& column) {
 
 std::optional<Role> role_of(const ColumnName& column) {
   std::optional<Role> role;
-  if (unit_of(column.base))  // the unit replaces the name
-    return column.quantity == Quantity::time   ? Role::time
-           : column.quantity == Quantity::flow ? Role::flow
-                                               : Role::volume;
+  if (unit_of(column.base)) {  // the unit replaces the name
+    if (column.quantity == Quantity::time) return Role::time;
+    if (column.quantity == Quantity::flow) return Role::flow;
+    if (column.quantity == Quantity::volume) return Role::volume;
+    return std::nullopt;
+  }
   const auto words = column_words();
   for (const std::string_view part : parts_of(column.base)) {
     const auto word =

@@ -7,12 +7,12 @@
 
 namespace trunk {
 
-enum class Quantity { time, volume, flow, unknown };
+enum class Quantity { time, volume, flow, pressure, length, unknown };
 
 struct Unit {
   std::string_view name;  ///< as in this program: "L_s"
   Quantity quantity;
-  double to_si;  ///< factor to s, m3 or m3/s
+  double to_si;  ///< factor to s, m3, m3/s, Pa or m
 };
 
 /// Returns the unit of a text that is only a unit, such as "L/s", "[l/min]" or "mL", in any spelling that
@@ -27,14 +27,14 @@ struct ColumnName {
   std::string base;                       ///< plain without its unit: "flow"
   std::string unit;                       ///< as in this program: "L_s"; empty if there is none
   Quantity quantity = Quantity::unknown;  ///< by the unit
-  double to_si = 1;                       ///< factor from the unit to s, m3 or m3/s
+  double to_si = 1;                       ///< factor from the unit to s, m3, m3/s, Pa or m
 
   void set(const Unit& known);
 };
 
 /// Reads a header (UTF-8, any case). The unit is at the end of the name or in brackets. The units are us, ms,
-/// s, min, h; ml, cl, dl, L, m3 (cm3 and cc are ml); ml_s, L_s, L_min, ml_min, m3_s; and their spellings in
-/// words. A name may consist of only a unit.
+/// s, min, h; ml, cl, dl, L, m3 (cm3 and cc are ml); ml_s, L_s, L_min, ml_min, m3_s; cmH2O, mbar, hPa, kPa,
+/// Pa, mmHg (also torr); mm, cm; and their spellings in words. A name may consist of only a unit.
 ColumnName column_name(std::string_view header);
 
 enum class Role { time, flow, volume, belt };

@@ -15,7 +15,11 @@ constexpr Unit ml_s{"ml_s", Quantity::flow, millilitre}, L_s{"L_s", Quantity::fl
     s{"s", Quantity::time, 1}, min{"min", Quantity::time, minute}, h{"h", Quantity::time, 60 * minute},
     ml{"ml", Quantity::volume, millilitre}, cl{"cl", Quantity::volume, 10 * millilitre},
     dl{"dl", Quantity::volume, 100 * millilitre}, L{"L", Quantity::volume, litre},
-    m3{"m3", Quantity::volume, 1};
+    m3{"m3", Quantity::volume, 1}, cmH2O{"cmH2O", Quantity::pressure, Pa_per_cmH2O},
+    mbar{"mbar", Quantity::pressure, 100}, hPa{"hPa", Quantity::pressure, 100},
+    kPa{"kPa", Quantity::pressure, 1000}, Pa{"Pa", Quantity::pressure, 1},
+    mmHg{"mmHg", Quantity::pressure, Pa_per_mmHg}, mm{"mm", Quantity::length, m_per_mm},
+    cm{"cm", Quantity::length, 1e-2};
 }  // namespace units
 
 constexpr std::array all_spellings{UnitSpelling{"_ml_s", units::ml_s},
@@ -82,7 +86,20 @@ constexpr std::array all_spellings{UnitSpelling{"_ml_s", units::ml_s},
                                    UnitSpelling{"_litros", units::L},
                                    UnitSpelling{"_litri", units::L},
                                    UnitSpelling{"_m3", units::m3},
-                                   UnitSpelling{"_m³", units::m3}};
+                                   UnitSpelling{"_m³", units::m3},
+                                   UnitSpelling{"_cmh2o", units::cmH2O},
+                                   UnitSpelling{"_cm_h2o", units::cmH2O},
+                                   UnitSpelling{"_cmh₂o", units::cmH2O},
+                                   UnitSpelling{"_cm_h₂o", units::cmH2O},
+                                   UnitSpelling{"_mbar", units::mbar},
+                                   UnitSpelling{"_hpa", units::hPa},
+                                   UnitSpelling{"_kpa", units::kPa},
+                                   UnitSpelling{"_pa", units::Pa},
+                                   UnitSpelling{"_mmhg", units::mmHg},
+                                   UnitSpelling{"_mm_hg", units::mmHg},
+                                   UnitSpelling{"_torr", units::mmHg},
+                                   UnitSpelling{"_mm", units::mm},
+                                   UnitSpelling{"_cm", units::cm}};
 
 constexpr std::array<std::string_view, 4> all_conditions{"_btps", "_atps", "_atpd", "_stpd"};
 

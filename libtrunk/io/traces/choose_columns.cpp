@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 
 #include "text/message_text.hpp"
 
@@ -13,6 +12,7 @@ namespace {
 constexpr auto time_names = "time_s, time_ms or time_min";
 constexpr auto volume_names = "volume_ml or volume_L";
 constexpr auto flow_names = "flow_L_s, flow_L_min or flow_ml_s";
+constexpr auto signal_options = "--time, --flow, --volume or --belt";
 constexpr auto signal_names = "volume_ml, volume_L, flow_L_s, flow_L_min or flow_ml_s";
 
 // A unit that the file gives separately has priority over a unit in the name.
@@ -28,13 +28,24 @@ ColumnName name_of(const Channel& channel) {
 }
 
 std::string quantity_name(Quantity quantity) {
-  return quantity == Quantity::time ? "time" : quantity == Quantity::flow ? "flow" : "volume";
+  switch (quantity) {
+    case Quantity::time:
+      return "time";
+    case Quantity::flow:
+      return "flow";
+    case Quantity::pressure:
+      return "pressure";
+    case Quantity::length:
+      return "excursion";
+    default:
+      return "volume";
+  }
 }
 
 class ColumnChoice {
  public:
   ColumnChoice(const Recording& recording, const TraceOptions& options)
-      : recording_(recording), options_(options) {
+      : recording_(recording), options_(options), find_(recording, chosen_.all) {
     for (const Channel& channel : recording.channels) chosen_.all.push_back(name_of(channel));
   }
 
@@ -48,6 +59,9 @@ class ColumnChoice {
     mistakes.gather([&] { chosen_.sigma = documented("sigma", Quantity::volume); });
     if (mistakes.empty()) mistakes.gather([&] { choose_rate(); });
     mistakes.settle();
+    find_volume_of_flow();
+    chosen_.channels =
+        choose_channels(recording_, chosen_.all, chosen_.value, chosen_.time, options_.channels);
     return chosen_;
   }
 
@@ -55,12 +69,9 @@ class ColumnChoice {
   using Index = std::size_t;
 
   [[noreturn]] void fail(std::string found, std::string expected, std::string remedy) const {
-    throw InputError({recording_.source, recording_.header_line}, std::move(found), std::move(expected),
-                     std::move(remedy));
+    find_.fail(std::move(found), std::move(expected), std::move(remedy));
   }
-  std::string word_and_name(Index i) const {
-    return fmt::format("{} {}", recording_.word, excerpt(chosen_.all[i].text));
-  }
+  std::string word_and_name(Index i) const { return find_.word_and_name(i); }
 
   void require_header() const {
     const bool picked =
@@ -75,20 +86,9 @@ class ColumnChoice {
 
   // ---- finding columns ----
 
-  // Returns the only column for which `wanted` holds. Two such columns are an error, since a silent choice
-  // may be wrong.
   template <class Predicate>
   std::optional<Index> only(Predicate wanted) const {
-    std::optional<Index> found;
-    for (Index i = 0; i < chosen_.all.size(); ++i) {
-      if (!wanted(chosen_.all[i])) continue;
-      if (found)
-        fail(fmt::format("two {}s have the same meaning, {} and {}", recording_.word,
-                         excerpt(chosen_.all[*found].text), excerpt(chosen_.all[i].text)),
-             "one", "choose one with --time, --flow, --volume or --belt");
-      found = i;
-    }
-    return found;
+    return find_.only(wanted, signal_options);
   }
 
   std::optional<Index> documented(const std::string& base, Quantity quantity) const {
@@ -120,20 +120,7 @@ class ColumnChoice {
       choices_ += fmt::format("{}{} as the {}", choices_.empty() ? "" : ", ", word_and_name(i), what);
   }
 
-  Index by_name(const std::string& name) const {
-    for (Index i = 0; i < chosen_.all.size(); ++i)
-      if (chosen_.all[i].text == name) return i;
-    const std::string plain = column_name(name).plain;
-    if (const auto found = only([&](const ColumnName& c) { return c.plain == plain; })) return *found;
-    if (const auto found = only([&](const ColumnName& c) { return c.base == plain; })) return *found;
-    Index number = 0;
-    const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), number);
-    if (error == std::errc{} && end == name.data() + name.size() && number >= 1 &&
-        number <= chosen_.all.size())
-      return number - 1;
-    fail(fmt::format("no {} {} among {}", recording_.word, excerpt(name), list_of(chosen_.all)),
-         fmt::format("the chosen {}", recording_.word), "correct its name or give its number");
-  }
+  Index by_name(const std::string& name) const { return find_.by_name(name, signal_options); }
 
   [[noreturn]] void missing(const std::string& what, const std::string& expected, std::string hint,
                             const std::string& option) const {
@@ -149,7 +136,11 @@ class ColumnChoice {
   static void require_unit(const std::string& option, const std::string& given, bool of_time) {
     if (given.empty()) return;
     const auto unit = unit_of(given);
-    if (!unit || (unit->quantity == Quantity::time) != of_time)
+    const auto fits_option = [of_time](Quantity quantity) {
+      return of_time ? quantity == Quantity::time
+                     : quantity == Quantity::volume || quantity == Quantity::flow;
+    };
+    if (!unit || !fits_option(unit->quantity))
       throw InputError(
           {fmt::format("{} {}", option, given)},
           of_time ? "this is not a known unit of time" : "this is not a known unit of volume or flow",
@@ -240,7 +231,12 @@ class ColumnChoice {
            fmt::format("a name like {}", kind == SignalKind::flow ? flow_names : volume_names),
            fmt::format("add the unit, as in --unit {}", kind == SignalKind::flow ? "L/s" : "ml"));
     fail(fmt::format("the chosen {} is in {} and not in a unit of {}", word_and_name(i), column.unit, what),
-         fmt::format("a unit of {}", what), fmt::format("choose it as --{}", quantity_name(column.quantity)));
+         fmt::format("a unit of {}", what), remedy_for(column.quantity));
+  }
+
+  static std::string remedy_for(Quantity quantity) {
+    if (quantity == Quantity::pressure) return "choose a pressure with --poes, --pga, --pdi or --paw";
+    return fmt::format("choose it as --{}", quantity_name(quantity));
   }
 
   void take_named(Index i) {
@@ -272,8 +268,12 @@ class ColumnChoice {
   }
 
   std::optional<Index> belt() {
-    const auto found =
-        only([](const ColumnName& c) { return c.quantity == Quantity::unknown && role_of(c) == Role::belt; });
+    const auto found = only([](const ColumnName& c) {
+      // A unit of pressure or length that the file gives apart from the name is the belt's own.
+      const bool own =
+          (c.quantity == Quantity::pressure || c.quantity == Quantity::length) && c.base == c.plain;
+      return (c.quantity == Quantity::unknown || own) && role_of(c) == Role::belt;
+    });
     if (found) note_choice(*found, "belt, in its own unit");
     return found;
   }
@@ -298,9 +298,24 @@ class ColumnChoice {
     missing("volume or flow", fmt::format("one of {}", signal_names), hint, "--flow, --volume or --belt");
   }
 
+  // A flow's sign shows in a volume beside it, if there is only one.
+  void find_volume_of_flow() {
+    if (chosen_.kind != SignalKind::flow) return;
+    for (Index i = 0; i < chosen_.all.size(); ++i) {
+      const ColumnName& c = chosen_.all[i];
+      const Channel &one = recording_.channels[i], &flow = recording_.channels[chosen_.value];
+      const bool volume = c.quantity == Quantity::volume || c.quantity == Quantity::unknown;
+      if (i == chosen_.value || !volume || role_of(c) != Role::volume) continue;
+      if (one.rate_hz != flow.rate_hz || one.samples != flow.samples) continue;
+      if (chosen_.volume) return chosen_.volume.reset();
+      chosen_.volume = i;
+    }
+  }
+
   const Recording& recording_;
   const TraceOptions& options_;
   TraceColumns chosen_;
+  const ColumnFinder find_;
   std::string choices_;
 };
 

@@ -7,6 +7,7 @@
 
 #include "recordings/recording.hpp"
 #include "tables/column_names.hpp"
+#include "traces/choose_channels.hpp"
 #include "traces/trace.hpp"
 
 namespace trunk {
@@ -19,6 +20,8 @@ struct TraceColumns {
   std::size_t value = 0;
   SignalKind kind = SignalKind::volume;
   std::optional<std::size_t> sigma;
+  std::optional<std::size_t> volume;  ///< that shows the sign of a flow; its unit does not matter
+  ChosenChannels channels;
   std::vector<std::string> notes;  ///< messages about the choice
 };
 

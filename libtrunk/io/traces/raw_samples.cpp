@@ -11,8 +11,6 @@
 namespace trunk {
 namespace {
 
-constexpr double longest_bridge_s = 0.25;
-
 std::string count_of(std::size_t samples) {
   return fmt::format("{} sample{}", samples, samples == 1 ? "" : "s");
 }
@@ -141,6 +139,7 @@ void RawSamples::leave_out(const Run& run) {
     row.erase(row.begin() + static_cast<std::ptrdiff_t>(run.begin),
               row.begin() + static_cast<std::ptrdiff_t>(run.end));
   };
+  if (run.begin == 0) first_ += run.end;
   for (auto& row : samples_.values) cut(row);
   if (!samples_.lines.empty()) cut(samples_.lines);
 }

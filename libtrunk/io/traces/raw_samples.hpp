@@ -8,6 +8,8 @@
 
 namespace trunk {
 
+inline constexpr double longest_bridge_s = 0.25;  ///< without a number; our choice
+
 /// The samples of a recording before they become a Trace, and their places in the file.
 class RawSamples {
  public:
@@ -16,6 +18,7 @@ class RawSamples {
 
   const std::string& word() const { return recording_.word; }
   std::size_t size() const { return samples_.values.front().size(); }
+  std::size_t first() const { return first_; }  ///< how many samples at the beginning were removed
 
   /// Repairs samples without a number (NaN): interpolates them by sample number, and removes them at either
   /// end of the recording. Adds a note. Throws InputErrors if more than a quarter of a second is missing at a
@@ -52,6 +55,7 @@ class RawSamples {
   const TraceColumns& columns_;
   std::vector<std::size_t> chosen_;  // the value, then time and sigma if there are any
   Samples samples_;
+  std::size_t first_ = 0;
 };
 
 }  // namespace trunk

@@ -11,6 +11,8 @@ TraceOptions trace_options(const SignalOptions& given) {
   options.unit = given.unit;
   options.time_unit = given.time_unit;
   options.rate_hz = given.rate_hz;
+  options.invert = given.invert;
+  options.channels = given.channels;
   if (!given.flow.empty()) options.kind = SignalKind::flow;
   if (!given.volume.empty()) options.kind = SignalKind::volume;
   if (!given.belt.empty()) options.kind = SignalKind::belt;
@@ -21,10 +23,7 @@ TraceOptions trace_options(const SignalOptions& given) {
 }  // namespace
 
 Trace read_signal(const std::filesystem::path& path, const SignalOptions& options) {
-  Trace trace = read_trace(path, trace_options(options));
-  if (options.invert)
-    for (double& value : trace.value) value = -value;
-  return trace;
+  return read_trace(path, trace_options(options));
 }
 
 }  // namespace trunk

@@ -13,10 +13,10 @@ struct SignalOptions {
   std::string unit, time_unit;
   double rate_hz = 0;
   bool invert = false;
+  ChannelOptions channels;
 };
 
-/// Returns the trace, with the sign of its values changed if `options.invert`; throws InputError as
-/// read_trace.
+/// Returns the trace; throws InputError as read_trace.
 Trace read_signal(const std::filesystem::path& path, const SignalOptions& options);
 
 }  // namespace trunk

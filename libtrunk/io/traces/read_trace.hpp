@@ -14,6 +14,10 @@ namespace trunk {
 /// flow, a belt is used. If there are both, the flow is used, since ventilators reset the volume at each
 /// breath; a note says so.
 ///
+/// Channels beside the signal are chosen as choose_channels describes and read by read_channel. If a volume
+/// stands beside a flow and runs against it (correlation below -0.5), the flow is turned, and a note says so.
+/// The sign of a signal is turned before that if `options.invert`, and then stays.
+///
 /// Two faults are repaired, with a note. Up to 0.25 s of samples without a number are interpolated, or
 /// removed at either end. Equal times of a coarse clock are spread evenly. Another note reports a rate below
 /// 10 or above 2000 samples per second.

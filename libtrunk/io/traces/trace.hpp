@@ -12,6 +12,9 @@ namespace trunk {
 /// unknown factor.
 enum class SignalKind { volume, flow, belt };
 
+/// What shows which way a signal goes up, beside its shape.
+enum class SignShownBy { shape, volume, pressure };
+
 /// A measured breathing signal. All vectors of samples have the same length.
 struct Trace {
   std::string source;  ///< file name, for messages
@@ -23,7 +26,9 @@ struct Trace {
   std::string time_unit = "s";     ///< unit in the file: "s", "ms", "min"; for messages
   std::string value_unit =
       "ml";  ///< unit in the file: "ml", "L", "L_s", "L_min", "ml_s"; belt: its own or ""
-  std::vector<TraceChannel> channels;   ///< at most one of each kind; none: the signal alone
+  std::vector<TraceChannel> channels;     ///< at most one of each kind; none: the signal alone
+  SignShownBy sign = SignShownBy::shape;  ///< volume: a flow goes with the volume beside it
+  bool inverted_by_user = false;
   std::optional<double> excursion_m{};  ///< of a dome from end-expiration to end-inspiration, if one number
 };
 
@@ -36,6 +41,8 @@ struct TraceOptions {
   std::string unit;                ///< of the signal, "L/s"; empty: as in the file
   std::string time_unit;           ///< "ms"; empty: as in the file, or else s
   double rate_hz = 0;              ///< samples per second if there are no times; 0: as in the file
+  bool invert = false;             ///< the sign of the signal is turned
+  ChannelOptions channels;
 };
 
 }  // namespace trunk

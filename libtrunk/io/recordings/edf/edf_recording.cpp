@@ -39,7 +39,8 @@ class EdfRecording : public Recording {
     for (int i = 0; i < header_->edfsignals; ++i) {
       const edf_param_struct& signal = header_->signalparam[i];
       channels.push_back({without_padding(signal.label), without_padding(signal.physdimension),
-                          record_s > 0 ? signal.smp_in_datarecord / record_s : 0.0});
+                          record_s > 0 ? signal.smp_in_datarecord / record_s : 0.0,
+                          static_cast<std::size_t>(std::max(signal.smp_in_file, 0LL))});
     }
     if (channels.empty()) {
       edfclose_file(header_->handle);

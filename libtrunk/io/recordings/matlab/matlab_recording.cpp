@@ -130,14 +130,14 @@ class MatlabRecording : public Recording {
   void add_channels(const MatVariable& v) {
     const std::size_t length = std::max(v.rows, v.columns), width = std::min(v.rows, v.columns);
     if (length < 2 || length > max_samples || width == 0 || width > most_columns) return;
-    if (width == 1) return add({v.name, unit_of(v), 0}, {&v, 0, 1, length});
+    if (width == 1) return add({v.name, unit_of(v), 0, length}, {&v, 0, 1, length});
     const bool in_columns = v.rows >= v.columns;
     for (std::size_t i = 0; i < width; ++i) {
       std::string name = entry(lists_of_names, i, width);
       if (name.empty())
         name =
             v.name + (in_columns ? "(:," + std::to_string(i + 1) + ")" : "(" + std::to_string(i + 1) + ",:)");
-      add({name, entry(lists_of_units, i, width), 0},
+      add({name, entry(lists_of_units, i, width), 0, length},
           {&v, in_columns ? i * v.rows : i, in_columns ? 1 : v.rows, length});
     }
   }
