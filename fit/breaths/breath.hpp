@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 namespace trunk {
@@ -13,6 +14,7 @@ struct Breath {
   double pause_s = 0;      ///< rest before end_s; it is part of the expiration
   double inspired_m3 = 0;  ///< rise from onset to peak, before any drift or leak is removed
   double expired_m3 = 0;   ///< fall from peak to end, before any drift or leak is removed
+  std::size_t number = 0;  ///< among all breaths of the trace, from 1
 
   double inspiration_s() const { return peak_s - onset_s; }
   double expiration_s() const { return end_s - peak_s; }

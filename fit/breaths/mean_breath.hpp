@@ -14,6 +14,7 @@ namespace trunk {
 struct MeasuredChannel {
   ChannelKind kind = ChannelKind::pleural;
   std::string column;                     ///< name in the file, for messages
+  std::string unit;                       ///< that the values had in the file, for messages
   std::vector<double> value;              ///< [samples of the mean breath] mean over `each`
   std::vector<double> sigma;              ///< [samples] standard deviation over breaths; > 0
   std::vector<double> standard_error;     ///< [samples] of `value`

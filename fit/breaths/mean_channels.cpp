@@ -102,20 +102,15 @@ std::vector<bool> swallows(const std::vector<Curve>& each, double sign) {
 }
 
 // Returns "breath 3" or "breaths 3, 7": the numbers that the user sees.
-std::string numbers_of(const Segmentation& s, const MeasuredBreath& mean,
-                       const std::vector<std::size_t>& which) {
+std::string numbers_of(const MeasuredBreath& mean, const std::vector<std::size_t>& which) {
   std::string list = which.size() == 1 ? "breath" : "breaths";
-  for (std::size_t k = 0; k < which.size(); ++k) {
-    const double onset = mean.used[which[k]].onset_s;
-    const auto at = std::find_if(s.breaths.begin(), s.breaths.end(),
-                                 [onset](const Breath& b) { return b.onset_s == onset; });
-    list += fmt::format("{}{}", k > 0 ? ", " : " ", at - s.breaths.begin() + 1);
-  }
+  for (std::size_t k = 0; k < which.size(); ++k)
+    list += fmt::format("{}{}", k > 0 ? ", " : " ", mean.used[which[k]].number);
   return list;
 }
 
 // Leaves out breaths that are not whole or hold a swallow. => channel
-void choose_breaths(const Segmentation& s, const MeasuredBreath& mean, MeasuredChannel& channel) {
+void choose_breaths(const MeasuredBreath& mean, MeasuredChannel& channel) {
   const auto leave_out = [&](auto out, const std::string& why) {
     std::vector<std::size_t> gone, kept;
     std::vector<Curve> curves;
@@ -124,7 +119,7 @@ void choose_breaths(const Segmentation& s, const MeasuredBreath& mean, MeasuredC
       if (!out(b)) curves.push_back(std::move(channel.each[b]));
     }
     if (!gone.empty())
-      channel.notes.push_back(fmt::format("{} do{} not count for the {}: {}", numbers_of(s, mean, gone),
+      channel.notes.push_back(fmt::format("{} do{} not count for the {}: {}", numbers_of(mean, gone),
                                           gone.size() == 1 ? "es" : "", words_of(channel.kind), why));
     channel.breaths = std::move(kept);
     channel.each = std::move(curves);
@@ -174,7 +169,7 @@ void start_at_zero(MeasuredChannel& channel) {
 MeasuredChannel mean_channel(const Segmentation& s, const TraceChannel& trace, const MeasuredBreath& mean) {
   const bool emg = trace.kind == ChannelKind::emg;
   MeasuredChannel channel;
-  channel.kind = trace.kind, channel.column = trace.column;
+  channel.kind = trace.kind, channel.column = trace.column, channel.unit = trace.unit;
   const Curve signal = emg ? envelope(s, trace.value, channel.notes) : trace.value;
   Curve levels;
   for (std::size_t b = 0; b < mean.used.size(); ++b) {
@@ -182,7 +177,7 @@ MeasuredChannel mean_channel(const Segmentation& s, const TraceChannel& trace, c
     levels.push_back(0);
     channel.each.push_back(breath_of(s, signal, mean.used[b], mean, !emg, levels.back()));
   }
-  choose_breaths(s, mean, channel);
+  choose_breaths(mean, channel);
   if (channel.each.empty())
     throw InputError(
         {s.source}, fmt::format("column {} has no whole breath without a gap", excerpt(trace.column)),

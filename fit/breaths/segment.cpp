@@ -37,6 +37,7 @@ std::vector<Breath> breaths_at(const Landmarks& marks) {
   const std::vector<double>&time = marks.rest.time, &value = marks.rest.value;
   for (std::size_t i = 0; i < marks.peak_s.size(); ++i) {
     Breath b{time[i], marks.peak_s[i], time[i + 1], marks.tidal_volume[i], true, ""};
+    b.number = i + 1;
     b.pause_s = std::min(marks.rests_s[i + 1], b.expiration_s());
     b.inspired_m3 = b.tidal_volume_m3 + marks.rest(b.peak_s) - value[i];
     b.expired_m3 = b.tidal_volume_m3 + marks.rest(b.peak_s) - value[i + 1];

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "anatomy/measures.hpp"
-#include "breaths/mean_breath.hpp"
+#include "channels/read_breaths.hpp"
 #include "commands/commands.hpp"
 #include "commands/options/fit_options.hpp"
 #include "dynamics/stability.hpp"
@@ -86,7 +86,7 @@ std::optional<ScenarioFile> check_scenario(const CheckRequest& request, Findings
 void check_trace(const CheckRequest& request, Findings& findings) {
   findings.mistakes.gather([&] {
     const Segmentation segmentation =
-        segment_breaths(read_signal(request.fit.trace, request.fit.signal), request.fit.selection);
+        read_breaths(request.fit.trace, request.fit.signal, request.fit.selection);
     const MeasuredBreath breath = mean_breath(segmentation);
     findings.notes.insert(findings.notes.end(), segmentation.notes.begin(), segmentation.notes.end());
     const Screening screening = screened(segmentation, findings.end_expiratory_m3);

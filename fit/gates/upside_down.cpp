@@ -74,7 +74,7 @@ Orientation orientation(const Segmentation& segmentation, const std::vector<Brea
   if (each.size() > 1)
     result.standard_error = error_of_median * gsl_stats_sd(each.data(), 1, each.size()) /
                             std::sqrt(static_cast<double>(each.size()));
-  if (result.index < surely_upright) return result;
+  if (result.index < surely_upright || segmentation.sign == SignShownBy::pressure) return result;
   const auto other = turned(segmentation);
   if (!other) {
     result.upright = Upright::unclear;
@@ -87,6 +87,8 @@ Orientation orientation(const Segmentation& segmentation, const std::vector<Brea
     result.index -= abruptness_weight *
                     std::clamp(std::log(flow.fall_s / flow.rise_s), -most_abruptness, most_abruptness);
   result.upright = upright_by(result.index, result.standard_error);
+  if (result.upright == Upright::unclear && segmentation.sign == SignShownBy::volume)
+    result.upright = Upright::yes;
   if (result.upright == Upright::no) result.flow = flow_signs(*other, other_breaths);
   return result;
 }

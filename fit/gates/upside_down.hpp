@@ -24,7 +24,8 @@ struct Orientation {
 /// if it holds on: ln of the rise time of expiratory over that of inspiratory flow, within +-0.15, is
 /// subtracted 0.75 times. The recording is upside down if the index is 0.16 or more and more than twice its
 /// standard error. Else it is unclear if the index is above -0.1. Weights and limits are our choice: they
-/// separate real recordings from themselves upside down where s does not.
+/// separate real recordings from themselves upside down where s does not. A pressure that shows which way is
+/// up overrules the shape; a volume beside a flow settles it where the shape leaves it open.
 Orientation orientation(const Segmentation& segmentation, const std::vector<Breath>& breaths);
 
 /// Returns the kept breaths, or all if none is kept.

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "channels/read_breaths.hpp"
 #include "errors/input_error.hpp"
 #include "files/replace_file.hpp"
 #include "math/units.hpp"
@@ -13,6 +14,7 @@
 #include "records/provenance.hpp"
 #include "records/stored_subject.hpp"
 #include "results/write/write_fit.hpp"
+#include "subject/clinic_json.hpp"
 #include "subject/record.hpp"
 
 namespace trunk {
@@ -102,7 +104,7 @@ Measurement FitJob::measured() {
       throw InputError({"--breath each"}, "one number has no breaths", "a trace: --trace FILE");
     return {std::nullopt, m3_per_ml * request_.tidal_volume_ml};
   }
-  Segmentation s = segment_breaths(read_signal(request_.trace, request_.signal), request_.selection);
+  Segmentation s = read_breaths(request_.trace, request_.signal, request_.selection);
   notes_ = s.notes;
   Measurement measurement{chosen_breath(s, request_.breath, notes_), 0.0, trace_signs(s)};
   if (request_.breath == "each") each_ = std::move(s);
@@ -159,6 +161,9 @@ FitOutcome FitJob::carry_out() {
     });
   outcome.results = fit_->results(e);
   adopt_intervals(outcome.results, e);
+  if (const auto& breath = fit_->measurement().breath)
+    outcome.clinic = clinic_numbers(*breath, request_.clinic);
+  for (FitResult& r : clinic_results(outcome.clinic)) outcome.results.results.push_back(std::move(r));
   if (outcome.results.posterior)
     outcome.draws =
         posterior_draws(*outcome.results.posterior, fit_->space(), static_cast<std::size_t>(request_.draws),
@@ -197,6 +202,7 @@ void FitJob::store(const FitOutcome& outcome, const std::string& argv) {
   add_results(outcome.results, record);
   add_starts(*fit_, record);
   add_breaths(outcome.breaths, record);
+  if (breath) add_clinic(*breath, outcome.clinic, record);
   add_predictions(outcome.predictions, record);
   record.draws = draws_record(outcome.draws);
   write_fit(request_.output, record);

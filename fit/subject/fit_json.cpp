@@ -4,6 +4,7 @@
 
 #include "math/units.hpp"
 #include "records/fit_record.hpp"
+#include "subject/clinic_json.hpp"
 #include "subject/fit_summary.hpp"
 
 namespace trunk {
@@ -99,6 +100,25 @@ Json breaths_json(const std::vector<BreathRefit>& breaths) {
   return list;
 }
 
+/// Returns the breaths that were fitted one by one, or else those that were averaged; each with its numbers
+/// of a clinic.
+Json breaths_json(const SubjectFit& fit, const FitOutcome& outcome) {
+  Json list = breaths_json(outcome.breaths);
+  const auto& breath = fit.measurement().breath;
+  if (!breath || outcome.clinic.empty()) return list;
+  const bool refitted = !list.empty();
+  for (std::size_t b = 0; b < breath->used.size(); ++b) {
+    const Breath& used = breath->used[b];
+    if (!refitted)
+      list.push_back({{"number", used.number},
+                      {"onset_s", used.onset_s},
+                      {"tidal_volume_ml", ml_per_m3 * used.tidal_volume_m3}});
+    for (Json& row : list)
+      if (row["number"] == used.number) row.update(clinic_json_of(outcome.clinic, b));
+  }
+  return list;
+}
+
 Json straight_json(const StraightActivation& straight) {
   Json json = Json::object();
   for (const FitResult& r : straight.results) json[r.name] = to_json(r);
@@ -139,7 +159,8 @@ Json fit_json(const SubjectFit& fit, const FitOutcome& outcome) {
   json["evaluations"] = e.evaluations.size();
   json["replayed"] = outcome.replayed;
   json["failed_evaluations"] = e.failures;
-  if (!outcome.breaths.empty()) json["breaths"] = breaths_json(outcome.breaths);
+  if (const Json breaths = breaths_json(fit, outcome); !breaths.empty()) json["breaths"] = breaths;
+  if (!outcome.clinic.empty()) json["clinic"] = clinic_json(outcome.clinic);
   json["wall_s"] = outcome.wall_s;
   return json;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "clinic/clinic.hpp"
 #include "subject/each_breath.hpp"
 #include "subject/predict.hpp"
 
@@ -12,6 +13,7 @@ struct FitOutcome {
   std::string input;                    // the trace's own file name; "" if only a tidal volume was given
   std::vector<BreathRefit> breaths;     // empty unless --breath each
   std::vector<Candidate> draws;         // as likely as the fit says; empty if it knows no spread
+  std::vector<ClinicNumber> clinic;     // of the breaths that were averaged; empty without a pressure
   std::vector<Prediction> predictions;  // in the order in which scenarios were named
   std::vector<std::string> notes;       // on what was read, then on the fit
   std::size_t replayed = 0;             // simulations that an interrupted run left in the ledger

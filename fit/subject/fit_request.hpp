@@ -1,6 +1,7 @@
 #pragma once
 
 #include "breaths/selection.hpp"
+#include "clinic/clinic.hpp"
 #include "subject/subject_fit.hpp"
 #include "traces/read_signal.hpp"
 
@@ -15,6 +16,7 @@ struct FitRequest {
   double tidal_volume_ml = 0.0;  // 0: not given
   SignalOptions signal;
   BreathSelection selection;
+  ClinicOptions clinic;
   std::vector<std::string> settings, priors;  // key=value; see prior_of
   FitPlan plan;
   std::string timing = "joint", assume, loss = "squares", weights = "uniform";

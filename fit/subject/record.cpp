@@ -82,6 +82,28 @@ void add_breaths(const std::vector<BreathRefit>& breaths, FitRecord& record) {
     record.breath_status.push_back(b.error.empty() ? b.status : b.status + ": " + b.error);
 }
 
+void add_clinic(const MeasuredBreath& breath, const std::vector<ClinicNumber>& numbers, FitRecord& record) {
+  if (numbers.empty()) return;
+  if (record.breaths.empty()) {
+    record.breaths = {{"number", "1", {}}, {"onset_s", "s", {}}, {"tidal_volume_ml", "ml", {}}};
+    for (const Breath& b : breath.used) {
+      record.breaths[0].values.push_back(static_cast<double>(b.number));
+      record.breaths[1].values.push_back(b.onset_s);
+      record.breaths[2].values.push_back(ml_per_m3 * b.tidal_volume_m3);
+      record.breath_status.push_back("measured");
+    }
+  }
+  const std::vector<double> rows = record.breaths[0].values;  // their numbers
+  for (const ClinicNumber& number : numbers) {
+    NamedColumn column{number.name, number.unit, std::vector<double>(rows.size(), std::nan(""))};
+    for (std::size_t b = 0; b < breath.used.size(); ++b) {
+      const auto row = std::find(rows.begin(), rows.end(), static_cast<double>(breath.used[b].number));
+      if (row != rows.end()) column.values[static_cast<std::size_t>(row - rows.begin())] = number.each[b];
+    }
+    record.breaths.push_back(std::move(column));
+  }
+}
+
 void add_predictions(const std::vector<Prediction>& predictions, FitRecord& record) {
   for (const Prediction& p : predictions) {
     FitRecord::Prediction r{short_name(p.scenario), p.scenario, {}, p.delta_v_draws_m3, p.own_draws_m3};

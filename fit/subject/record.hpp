@@ -1,5 +1,6 @@
 #pragma once
 
+#include "clinic/clinic.hpp"
 #include "results/records.hpp"
 #include "subject/each_breath.hpp"
 #include "subject/predict.hpp"
@@ -17,6 +18,8 @@ void add_starts(const SubjectFit& fit, FitRecord& record);
 /// => grade, gates, results, straight lines, verdict
 void add_results(const FitResults& results, FitRecord& record);
 void add_breaths(const std::vector<BreathRefit>& breaths, FitRecord& record);
+/// Adds the numbers of a clinic to the breaths that a fit used. A breath that it did not use has none.
+void add_clinic(const MeasuredBreath& breath, const std::vector<ClinicNumber>& numbers, FitRecord& record);
 void add_predictions(const std::vector<Prediction>& predictions, FitRecord& record);
 
 }  // namespace trunk

@@ -197,6 +197,7 @@ std::vector<std::string> settle_files(FitRequest& request) {
 void add_subject_options(CLI::App& command, FitRequest& r) {
   add_measurement_options(command, r);
   add_signal_options(command, r.signal);
+  add_clinic_options(command, r.clinic);
   add_breath_options(command, r.selection);
   add_parameter_options(command, r);
   add_search_options(command, r);

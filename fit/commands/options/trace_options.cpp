@@ -1,8 +1,38 @@
 #include "commands/options/trace_options.hpp"
 
 #include "commands/commands.hpp"
+#include "math/units.hpp"
 
 namespace trunk {
+namespace {
+
+void add_channel_options(CLI::App& command, ChannelOptions& options) {
+  constexpr const char* group = "Channels beside the signal";
+  const auto channel = [&](const char* names, std::string& value, const char* type, const char* text) {
+    command.add_option(names, value, text)->type_name(type)->group(group);
+  };
+  channel("--poes,--pes", options.poes, "COL",
+          "Takes oesophageal pressure from this column. none leaves it out. [a column named poes or pes]");
+  channel("--pga,--pgas", options.pga, "COL", "Takes gastric pressure from this column. [pga or pgas]");
+  channel("--pdi", options.pdi, "COL", "Takes transdiaphragmatic pressure from this column. [pdi]");
+  channel("--paw", options.paw, "COL", "Takes airway pressure from this column. [paw]");
+  channel("--emg", options.emg, "COL",
+          "Takes an EMG of the diaphragm, raw or as an envelope, from this column.");
+  channel("--excursion", options.excursion, "COL|MM",
+          "Gives how far a dome of the diaphragm descends with a breath: a number in mm, or a column.");
+  channel("--pressure-unit", options.pressure_unit, "UNIT",
+          "Gives the unit of all pressures: cmH2O, mbar, hPa, kPa, Pa or mmHg. [as in the header, or else "
+          "cmH2O]");
+  command
+      .add_option("--invert-channel", options.inverted,
+                  "Reverses the sign of a channel: poes, pga, pdi, paw, excursion or emg. You can repeat it.")
+      ->type_name("NAME")
+      ->group(group)
+      ->take_all()
+      ->allow_extra_args(false);
+}
+
+}  // namespace
 
 void add_signal_options(CLI::App& command, SignalOptions& options) {
   constexpr const char* group = "How to read the trace";
@@ -40,6 +70,28 @@ void add_signal_options(CLI::App& command, SignalOptions& options) {
   command
       .add_flag("--invert", options.invert, "Reverses the sign of a signal that is positive on expiration.")
       ->group(group);
+  add_channel_options(command, options.channels);
+}
+
+void add_clinic_options(CLI::App& command, ClinicOptions& options) {
+  constexpr const char* group = "Numbers of a clinic";
+  command
+      .add_option_function<double>(
+          "--pdi-max", [&options](double cmH2O) { options.pdi_max_Pa = Pa_per_cmH2O * cmH2O; },
+          "Gives the transdiaphragmatic pressure of a maximal effort in cmH2O, for the tension-time index.")
+      ->type_name("CMH2O")
+      ->group(group)
+      ->check(within(5.0, 500.0));
+  command
+      .add_option_function<double>(
+          "--chest-wall-compliance",
+          [&options](double ml) { options.chest_wall_compliance_m3_Pa = m3_per_ml * ml / Pa_per_cmH2O; },
+          "Gives the compliance of the relaxed chest wall in ml/cmH2O. Without it, work and pressure-time "
+          "product "
+          "leave out what the chest wall takes.")
+      ->type_name("ML")
+      ->group(group)
+      ->check(within(10.0, 2000.0));
 }
 
 }  // namespace trunk

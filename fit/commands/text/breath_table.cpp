@@ -3,10 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
+#include "commands/text/clinic_table.hpp"
 #include "math/median.hpp"
 #include "math/units.hpp"
+#include "subject/clinic_json.hpp"
 
 namespace trunk {
 namespace {
@@ -94,7 +97,7 @@ std::string csv_quoted(const std::string& text) {
 
 }  // namespace
 
-Json breaths_json(const Segmentation& s) {
+Json breaths_json(const Segmentation& s, const std::vector<ClinicNumber>& clinic) {
   const ShownUnits units{s.calibrated};
   const std::vector<Breath> kept = kept_of(s);
   Json json{{"schema", "trunk.breaths/1"},
@@ -112,12 +115,15 @@ Json breaths_json(const Segmentation& s) {
     json[units.ventilation_key()] = units.ventilation(total.volume_m3 / total.duration_s);
     json["median"] = as_object(medians_of(kept, units));
   }
+  if (!clinic.empty()) json["clinic"] = clinic_json(clinic);
   Json list = Json::array();
+  std::size_t used = 0;
   for (const Breath& b : s.breaths) {
     Json one{{"number", list.size() + 1}, {"onset_s", b.onset_s}, {"peak_s", b.peak_s}, {"end_s", b.end_s}};
     one.update(as_object(measures_of(b, units)));
     one["kept"] = b.kept;
     one["reason"] = b.reason;
+    if (b.kept) one.update(clinic_json_of(clinic, used++));
     list.push_back(one);
   }
   json["breaths"] = list;
@@ -125,7 +131,7 @@ Json breaths_json(const Segmentation& s) {
   return json;
 }
 
-std::string breaths_text(const Segmentation& s) {
+std::string breaths_text(const Segmentation& s, const std::vector<ClinicNumber>& clinic) {
   const ShownUnits units{s.calibrated};
   std::string text = fmt::format(
       "  breath  onset s   peak s    end s   Ti s   Te s Ttot s  pause  VT {:>5} V' {:>5}  kept\n",
@@ -146,20 +152,25 @@ std::string breaths_text(const Segmentation& s) {
   } else {
     text += fmt::format("{} breaths found, none kept", s.breaths.size());
   }
+  if (!clinic.empty()) text += "\n" + clinic_table(clinic, kept), text.pop_back();
   if (!s.calibrated)
     text += "\nThe volumes are in the belt's own unit: --calibrate-tidal-volume ML makes them ml.";
   return text;
 }
 
-std::string breaths_csv(const Segmentation& s) {
+std::string breaths_csv(const Segmentation& s, const std::vector<ClinicNumber>& clinic) {
   const ShownUnits units{s.calibrated};
   std::string text = "number,onset_s,peak_s,end_s";
   for (const BreathMeasure& c : measures_of(s.breaths.front(), units)) text += "," + c.name;
+  for (const ClinicNumber& n : clinic) text += "," + n.name;
   text += ",kept,reason\n";
-  std::size_t number = 0;
+  std::size_t number = 0, used = 0;
   for (const Breath& b : s.breaths) {
     text += fmt::format("{},{:.6g},{:.6g},{:.6g}", ++number, b.onset_s, b.peak_s, b.end_s);
     for (const BreathMeasure& c : measures_of(b, units)) text += fmt::format(",{:.6g}", c.value);
+    for (const ClinicNumber& n : clinic)
+      text += b.kept && std::isfinite(n.each[used]) ? fmt::format(",{:.6g}", n.each[used]) : ",";
+    used += b.kept ? 1 : 0;
     text += fmt::format(",{},{}\n", b.kept ? 1 : 0, csv_quoted(b.reason));
   }
   return text;

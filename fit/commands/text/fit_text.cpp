@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "commands/text/clinic_table.hpp"
 #include "commands/text/outcome_text.hpp"
 #include "commands/text/output.hpp"
 #include "commands/text/result_text.hpp"
@@ -99,6 +100,7 @@ std::string fit_table(const SubjectFit& fit, const FitOutcome& outcome, bool det
                         breath->breaths_used, breath->breaths_rejected, ml_per_m3 * breath->tidal_volume_m3,
                         breath->duration_s);
   text += results_table(results);
+  text += clinic_lines(outcome.clinic);
   if (detailed) text += details(fit, outcome);
   return text + breaths_table(outcome.breaths) + predictions_table(outcome.predictions) +
          verdict_text(results);

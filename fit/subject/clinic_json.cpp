@@ -1,0 +1,36 @@
+#include "subject/clinic_json.hpp"
+
+#include <cmath>
+
+namespace trunk {
+
+Json clinic_json(const std::vector<ClinicNumber>& numbers) {
+  Json json = Json::object();
+  for (const ClinicNumber& n : numbers)
+    json[n.name] = {{"value", json_number(n.mean)},
+                    {"unit", n.unit},
+                    {"lower95", json_number(n.lower95)},
+                    {"upper95", json_number(n.upper95)},
+                    {"of_mean_breath", json_number(n.of_mean_breath)},
+                    {"meaning", n.meaning}};
+  return json;
+}
+
+Json clinic_json_of(const std::vector<ClinicNumber>& numbers, std::size_t used) {
+  Json json = Json::object();
+  for (const ClinicNumber& n : numbers) json[n.name] = json_number(n.each[used]);
+  return json;
+}
+
+std::vector<FitResult> clinic_results(const std::vector<ClinicNumber>& numbers) {
+  std::vector<FitResult> results;
+  for (const ClinicNumber& n : numbers) {
+    const bool known = std::isfinite(n.lower95);
+    results.push_back({n.name, n.unit, n.mean, n.lower95, n.upper95,
+                       known ? Grade::determined : Grade::not_determined, "",
+                       known ? "" : "one breath does not show the spread from breath to breath", n.meaning});
+  }
+  return results;
+}
+
+}  // namespace trunk
