@@ -26,7 +26,7 @@ class StableRange {
     for (const Scenario* s : scenarios) corner = outermost(corner, corner_of(*s));
     if (corner == known_) return true;
     Scenario worst = *scenarios.front();
-    worst.parameters = {corner[0], corner[1], -corner[3], corner[2]};
+    worst.parameters = {corner[0], corner[1], -corner[3], corner[2], corner[5]};
     worst.time.dt_s = margin * corner[4];
     try {
       require_stable(worst, trunk);
@@ -38,11 +38,11 @@ class StableRange {
   }
 
  private:
-  using Corner = std::array<double, 5>;  // a larger number is harder to keep stable
+  using Corner = std::array<double, 6>;  // a larger number is harder to keep stable
 
   static Corner corner_of(const Scenario& s) {
     const Parameters<double>& p = s.parameters;
-    return {p.elasticity, p.muscle, p.abdomen_factor, -p.damping, s.time.dt_s};
+    return {p.elasticity, p.muscle, p.abdomen_factor, -p.damping, s.time.dt_s, p.lung_elastance};
   }
   static Corner outermost(Corner a, const Corner& b) {
     for (std::size_t i = 0; i < a.size(); ++i) a[i] = std::max(a[i], b[i]);

@@ -42,8 +42,9 @@ void require_repeating(const Scenario& s) {
   const double breath_s = s.time.duration_s, cycles = breath_s / s.activation.period_s;
   const auto varies = [](const PiecewiseLinear& course) { return course.events().size() > 1; };
   Mistakes mistakes;
-  bool varying = varies(s.abdominal_volume);
+  bool varying = varies(s.abdominal_volume) || varies(s.pleura.airway_pressure);
   mistakes.gather([&] { require_repeating(s.abdominal_volume, breath_s, {"abdominal_volume_fraction"}); });
+  mistakes.gather([&] { require_repeating(s.pleura.airway_pressure, breath_s, {"airway.pressure_cmH2O"}); });
   for (const RegionLoad& load : s.loads) {
     varying = varying || varies(load.magnitude);
     mistakes.gather([&] { require_repeating(load.magnitude, breath_s, load.at); });
@@ -77,6 +78,7 @@ Trunk make_trunk(const Scenario& s) {
   Trunk trunk = make_trunk(mesh_of(s), s.tissue, s.reaction, s.rigid);
   trunk.model.gravity = s.gravity;
   trunk.model.abdomen.target = s.abdominal_volume;
+  if (s.lung_acts) trunk.model.pleura = s.pleura;
   Mistakes mistakes;
   for (const RegionLoad& load : s.loads) mistakes.gather([&] { apply(load, trunk); });
   mistakes.settle();

@@ -32,6 +32,8 @@ struct Scenario {
   Vec3d gravity;                              // m/s2; 0: gravity is in the rest shape, as it was imaged
   std::vector<RegionLoad> loads;
   std::vector<RigidPart> rigid;
+  bool lung_acts = false;  // there is a [lung] or an [airway]: the model gets a pleura
+  Pleura pleura;
   PiecewiseLinear abdominal_volume;  // fraction of rest; empty: constant
 };
 

@@ -148,6 +148,7 @@ Trunk make_trunk(const TrunkMesh& mesh, const Tissue& tissue, Reaction reaction,
   model.fibres = make_fibres(mesh, tissue, healthy.fibre_strength);
   model.abdomen = held_volume(abdomen, mesh.rest);
   model.lung = mesh.lung;
+  model.lung_rings = ring_table(lung);
   model.lung_fans = fans(mesh.lung);
   for (int i : mesh.named("fixed")) model.mobility[index(i)] = {0.0, 0.0, 0.0};
   add_rigid_parts(mesh, tissue, parts, model);

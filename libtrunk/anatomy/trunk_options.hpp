@@ -31,9 +31,16 @@ enum class Side { none, right, left, both };
 ///    of apposition").
 enum class FibreEnd { tendon_border, apposition_top };
 
+/// What shares the damping.
+///  - particle: every particle has c, or c / n^2 on a mesh n times as fine.
+///  - area: a particle has c times the surface around it (a third of each triangle), over the mean of the 113
+///    particles of the template. It does not depend on the triangles (our choice).
+enum class DampingBy { particle, area };
+
 /// The properties of tissue, muscle and skeleton that are not fitted.
 struct Tissue {
   double particle_mass = 0.2;  // kg; our choice
+  DampingBy damping = DampingBy::particle;
   double tendon_factor = 2.0;  // stiffness of the central tendon over that of the rest (paper)
   FibreEnd fibre_end = FibreEnd::tendon_border;
   bool ribs = true;  // a rigid rib cage carries the costal insertion and keeps the zone of apposition inside

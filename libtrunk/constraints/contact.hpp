@@ -60,21 +60,35 @@ void rest_on_supports(const Model& model, const State<S>& state, const Mask<S>& 
   }
 }
 
-/// Returns how far outside a particle would be without its support.
+/// Returns how far outside a particle would be without its support. multiplier, pleural: those of the volume
+/// and of the pleural resistance.
 template <Scalar S>
-S unsupported_excess(const typename Workspace<S>::Plane& plane, const S& multiplier) noexcept {
-  return plane.excess + multiplier * plane.rate;
+S unsupported_excess(const typename Workspace<S>::Plane& plane, const S& multiplier,
+                     const S& pleural) noexcept {
+  return plane.excess + multiplier * plane.rate + pleural * plane.pleural_rate;
+}
+
+/// Returns true in the lanes where the particles that touch are those that would be outside otherwise.
+template <Scalar S>
+Mask<S> contacts_hold(const Model& model, const S& multiplier, const S& pleural, const Workspace<S>& w,
+                      const State<S>& state) noexcept {
+  Mask<S> hold = S(0.0) < S(1.0);
+  for (std::size_t s = 0; s < model.supports.size(); ++s) {
+    const Mask<S> outside = S(0.0) < unsupported_excess<S>(w.plane[s], multiplier, pleural);
+    hold = Mask<S>(hold & (state.contact[s].touching == outside));
+  }
+  return hold;
 }
 
 /// Decides again, in the lanes of the mask, which particles touch: those that would be outside if the
 /// correction moved them as if their support were absent. Returns true in the lanes where no support changed.
 /// (plane) => contact
 template <Scalar S>
-Mask<S> update_touching(const Model& model, const S& multiplier, const Mask<S>& lanes, const Workspace<S>& w,
-                        State<S>& state) noexcept {
+Mask<S> update_touching(const Model& model, const S& multiplier, const S& pleural, const Mask<S>& lanes,
+                        const Workspace<S>& w, State<S>& state) noexcept {
   Mask<S> settled = S(0.0) < S(1.0);
   for (std::size_t s = 0; s < model.supports.size(); ++s) {
-    const Mask<S> outside = S(0.0) < unsupported_excess<S>(w.plane[s], multiplier);
+    const Mask<S> outside = S(0.0) < unsupported_excess<S>(w.plane[s], multiplier, pleural);
     const Mask<S> before = state.contact[s].touching;
     state.contact[s].touching = select(lanes, outside, before);
     settled = Mask<S>(settled & (state.contact[s].touching == before));
@@ -84,32 +98,34 @@ Mask<S> update_touching(const Model& model, const S& multiplier, const Mask<S>& 
 
 /// Records how far each support pushed its particle back. (contact, plane) => contact
 template <Scalar S>
-void record_press(const Model& model, const S& multiplier, const Workspace<S>& w, State<S>& state) noexcept {
+void record_press(const Model& model, const S& multiplier, const S& pleural, const Workspace<S>& w,
+                  State<S>& state) noexcept {
   using std::sqrt;
   for (std::size_t s = 0; s < model.supports.size(); ++s) {
     const auto& plane = w.plane[s];
-    const S excess = unsupported_excess<S>(plane, multiplier);
+    const S excess = unsupported_excess<S>(plane, multiplier, pleural);
     state.contact[s].press =
         select(state.contact[s].touching, excess / sqrt(dot(plane.normal, plane.normal)), S(0.0));
   }
 }
 
 /// Applies Coulomb's law to the particles that touched at the last step, with the push of that step (our
-/// choice; the push is thus one step late). A particle that would slide less far than friction times the push
-/// sticks to the surface. Any other is held back by that distance. A push of round-off, as at rest, makes no
-/// particle stick.
-/// (contact, multiplier) => plane, contact
+/// choice; the push is thus one step late, and so are both multipliers that say where it would slide). A
+/// particle that would slide less far than friction times the push sticks to the surface. Any other is held
+/// back by that distance. A push of round-off, as at rest, makes no particle stick. (contact, multiplier) =>
+/// plane, contact
 template <Scalar S>
 void apply_friction(const Model& model, State<S>& state, Workspace<S>& w) noexcept {
   using std::sqrt;
-  const S nothing(1e-300), round_off(1e-13);
+  const S nothing(1e-300), round_off(1e-13), pleural = w.pleura.coupling * w.pleura.moved;
   for (std::size_t s = 0; s < model.supports.size(); ++s) {
     auto& contact = state.contact[s];
     auto& plane = w.plane[s];
     const Vec3<S> carried =
         state.position[static_cast<std::size_t>(model.supports[s].particle)] + plane.carried;
     const Vec3<S> predicted_slide = along<S>(plane, plane.predicted - carried);
-    const Vec3<S> unsupported = plane.predicted + state.multiplier * plane.direction;
+    const Vec3<S> unsupported =
+        plane.predicted + state.multiplier * plane.direction - pleural * plane.pleural;
     const Vec3<S> slide = along<S>(plane, unsupported - carried);
     const S length = sqrt(dot(slide, slide) + nothing), limit = S(model.friction) * contact.press;
     contact.sticking = Mask<S>(contact.touching & (round_off < contact.press) & (length < limit));

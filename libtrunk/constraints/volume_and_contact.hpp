@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "constraints/contact.hpp"
+#include "constraints/resist_flow.hpp"
 #include "constraints/volume_root.hpp"
 
 namespace trunk {
@@ -12,7 +12,8 @@ namespace trunk {
 template <Scalar S>
 struct Projection {
   S multiplier{0.0};
-  Mask<S> found;  // false if no displacement restores the volume
+  S pleural{0.0};  // the multiplier of the pleural resistance
+  Mask<S> found;   // false if no displacement restores the volume
 };
 
 namespace detail {
@@ -84,10 +85,10 @@ Projection<S> project_supports(const Model& model, State<S>& state, Workspace<S>
   const S none(0.0);
   const Mask<S> everywhere = S(0.0) < S(1.0);
   if (model.friction > 0.0) apply_friction(model, state, w);
-  update_touching(model, none, everywhere, w, state);
+  update_touching(model, none, none, everywhere, w, state);
   rest_on_supports(model, state, everywhere, w);
-  if (model.friction > 0.0) record_press(model, none, w, state);
-  return {none, everywhere};
+  if (model.friction > 0.0) record_press(model, none, none, w, state);
+  return {none, none, everywhere};
 }
 
 }  // namespace detail
@@ -105,7 +106,11 @@ void calc_held_areas(const Model& model, const State<S>& state, Workspace<S>& w)
 /// the direction d of `calc_direction`. V(x(lambda)) increases with lambda and consists of pieces, each a
 /// cubic. The search for the right piece starts from that of the last step and takes the root of each piece;
 /// if the root is outside the bracket, it halves the bracket. A lane that has arrived does not change while
-/// others search on, so it has the bits that it has alone. (next, plane, area) => next, contact
+/// others search on, so it has the bits that it has alone.
+///
+/// With a lung, x(lambda) also holds the resistance to the flow (see resist_flow), which depends on the
+/// contacts too. Only contacts that hold at a lambda may move the bracket.
+/// (next, plane, area) => next, contact
 template <Scalar S>
 Projection<S> project_volume_and_supports(const Model& model, const S& target, State<S>& state,
                                           Workspace<S>& w) noexcept {
@@ -115,17 +120,23 @@ Projection<S> project_volume_and_supports(const Model& model, const S& target, S
   Mask<S> searching = w.running;
   detail::calc_direction(model, state, w);
   if (model.friction > 0.0) detail::apply_friction(model, state, w);
+  detail::PleuralMultiplier<S> pleural;
+  detail::FlowSums<S> free_flow;
+  if (w.pleura.present) free_flow = detail::free_flow(state, w);
   for (int search = 0; search < max_searches && any(searching); ++search) {
     detail::rest_on_supports(model, state, searching, w);
+    if (w.pleura.present) detail::resist_flow(model, state, searching, free_flow, w, pleural);
     const VolumeCubic<S> cubic = detail::volume_along_direction(w);
     Mask<S> reached = S(1.0) < S(0.0);
     if (search > 0) {
+      Mask<S> hold = S(0.0) < S(1.0);
+      if (w.pleura.present) hold = detail::contacts_hold(model, multiplier, pleural(multiplier), w, state);
       const S excess = cubic(multiplier) - target;
-      low = select(excess < S(0.0), multiplier, low);
-      high = select(S(0.0) < excess, multiplier, high);
+      low = select(Mask<S>(hold & (excess < S(0.0))), multiplier, low);
+      high = select(Mask<S>(hold & (S(0.0) < excess)), multiplier, high);
       // The contacts are those at `multiplier`, so a volume that is right to round-off is the solution.
       const S round_off = S(4.0 * std::numeric_limits<double>::epsilon()) * target;
-      reached = (excess < round_off) & (-round_off < excess);
+      reached = hold & (excess < round_off) & (-round_off < excess);
     }
     const S root = solve_volume(cubic, target);
     slope = select(searching, cubic.slope(root), slope);
@@ -133,13 +144,14 @@ Projection<S> project_volume_and_supports(const Model& model, const S& target, S
     const Mask<S> accepted = ((low < root) & (root < high)) | exhausted;
     const S next = select(accepted, root, S(0.5) * low + S(0.5) * high);
     multiplier = differentiable_root(select(Mask<S>(searching & !reached), next, multiplier), cubic, target);
-    const Mask<S> kept = detail::update_touching(model, multiplier, searching, w, state);
+    const Mask<S> kept = detail::update_touching(model, multiplier, pleural(multiplier), searching, w, state);
     searching = Mask<S>(searching & !(reached | (accepted & (kept | exhausted))));
   }
-  for_all(w.held_pushed, [&](std::size_t i) { w.next[i] += multiplier * w.direction[i]; });
-  if (model.friction > 0.0) detail::record_press(model, multiplier, w, state);
+  const auto& corrected = w.pleura.present ? w.pleura.solved : w.held_pushed;
+  for_all(corrected, [&](std::size_t i) { w.next[i] += multiplier * w.direction[i]; });
+  if (model.friction > 0.0) detail::record_press(model, multiplier, pleural(multiplier), w, state);
   multiplier = detail::restore_rigid_bodies(model, target, slope, multiplier, w);
-  return {multiplier, Mask<S>(finite(multiplier) & !searching)};
+  return {multiplier, pleural(multiplier), Mask<S>(finite(multiplier) & !searching)};
 }
 
 }  // namespace trunk

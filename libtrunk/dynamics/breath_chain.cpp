@@ -15,7 +15,8 @@ bool has_courses(const Model& model) {
   const auto any_varies = [&](const auto& loads) {
     return std::any_of(loads.begin(), loads.end(), [&](const auto& load) { return varies(load.magnitude); });
   };
-  return varies(model.abdomen.target) || any_varies(model.focal_forces) || any_varies(model.pressures) ||
+  return varies(model.abdomen.target) || (model.pleura && varies(model.pleura->airway_pressure)) ||
+         any_varies(model.focal_forces) || any_varies(model.pressures) ||
          any_varies(model.imposed_displacements) ||
          std::any_of(model.bodies.begin(), model.bodies.end(),
                      [](const RigidBody& body) { return body.motion == RigidBody::Motion::driven; });
@@ -25,7 +26,6 @@ bool has_courses(const Model& model) {
 
 BreathChain::BreathChain(const Model& model, double dt_s, Damping damping)
     : model_(model),
-      gain_(model),
       rest_volume_(enclosed_volume<double>(model.lung, model.rest)),
       dt_s_(dt_s),
       damping_(damping) {
@@ -86,7 +86,7 @@ BreathChain::Curve BreathChain::attempt(const Trial<double>& trial, double start
   next_reached_ = false;
   for (int n = 0;; ++n) {
     const double time_s = kept_.time_s + n * dt_s_;
-    curve.volume.push_back(gain_.of<double>(state.position));
+    curve.volume.push_back(state.lung_gain);
     if (n == keep) {
       next_ = {state, time_s, activation, trial.parameters.muscle, start_s};
       next_reached_ = true;

@@ -68,7 +68,6 @@ class BreathChain {
   void prepare(const Parameters<double>& parameters);
 
   const Model& model_;
-  LungGain gain_;
   double rest_volume_;  // m3, of the lung
   double dt_s_;
   Damping damping_;

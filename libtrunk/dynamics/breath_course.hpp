@@ -19,8 +19,7 @@ struct BreathCourse {
 template <Scalar S>
 class BreathWatch {
  public:
-  BreathWatch(const Model& model, int steps, const WhileSimulated& check)
-      : model_(model), check_(check), gain_(model) {
+  BreathWatch(const Model& model, int steps, const WhileSimulated& check) : model_(model), check_(check) {
     gains_.reserve(static_cast<std::size_t>(steps) + 1);
     at_start_.resize(model.particles());
     at_highest_.resize(model.particles());
@@ -30,7 +29,7 @@ class BreathWatch {
   void operator()(int step, const State<S>& state, const StepReport<S>& report) {
     constexpr int steps_between_checks = 64;
     if (check_ && step % steps_between_checks == 0) check_();
-    const S gain = gain_.of<S>(state.position);
+    const S gain = state.lung_gain;
     gains_.push_back(gain);
     if (step == 0) at_start_ = state.position;
     keep_larger(report.pressure_Pa, peak_pressure_Pa_);
@@ -75,7 +74,6 @@ class BreathWatch {
 
   const Model& model_;
   const WhileSimulated& check_;
-  LungGain gain_;
   std::vector<S> gains_;  // [steps + 1] m3
   S peak_pressure_Pa_{0.0}, max_relative_volume_error_{0.0};
   S highest_{-std::numeric_limits<double>::infinity()}, lowest_{std::numeric_limits<double>::infinity()};

@@ -46,9 +46,7 @@ Beginning<S> beginning_of(const Model& model, const Parameters<S>& parameters, c
   Beginning<S> beginning;
   if (grid.start == Start::rest) return beginning;
   for (int i = 0; i < lanes_of<S>; ++i) {
-    const Parameters<double> alone{in_lane(parameters.elasticity, i), in_lane(parameters.muscle, i),
-                                   in_lane(parameters.damping, i), in_lane(parameters.abdomen_factor, i)};
-    const int first = -lead_steps(model, alone, grid);
+    const int first = -lead_steps(model, in_lane(parameters, i), grid);
     set_lane(beginning.step, i, first);
     beginning.earliest = std::min(beginning.earliest, first);
   }

@@ -19,6 +19,7 @@ Model undisturbed(Model model) {
   model.pressures.clear();
   model.imposed_displacements.clear();  // the particles stay where they are
   model.abdomen.target = {};
+  model.pleura.reset();
   for (RigidBody& body : model.bodies)
     if (body.motion == RigidBody::Motion::driven) body.motion = RigidBody::Motion::fixed;
   return model;
@@ -36,7 +37,6 @@ class Measurement {
       : model_(model),
         parameters_(parameters),
         unit_s_(parameters.damping / parameters.elasticity),
-        gain_(model),
         state_(rest_state<double>(model)) {
     constexpr double part_of_bound = 0.5, part_of_unit = 2.0;  // a unit is about 1/25 of the recoil time
     const double bound_s = part_of_bound * stable_time_step(model, parameters, Damping::centred);
@@ -92,7 +92,7 @@ class Measurement {
     ++steps_;
   }
 
-  double volume() const { return gain_.of<double>(state_.position); }
+  double volume() const { return state_.lung_gain; }
 
   double farthest_m() const {
     double most = 0.0;
@@ -110,7 +110,6 @@ class Measurement {
   const Model& model_;
   Parameters<double> parameters_;
   double unit_s_, dt_s_ = 0.0;
-  LungGain gain_;
   State<double> state_;
   Workspace<double> workspace_;
   int steps_ = 0;

@@ -61,7 +61,7 @@ Endings<S> simulate_lanes(const Model& model, const Parameters<S>& parameters,
   const int steps = grid.steps();
   const Beginning<S> beginning = beginning_of(model, parameters, grid);
   workspace.running = beginning.begun(beginning.earliest);
-  StepReport<S> report{S(0.0), workspace.running};
+  StepReport<S> report{S(0.0), S(0.0), workspace.running};
 
   const auto begin = [&](int n) {
     const Mask<S> lanes = Mask<S>(beginning.begun(n) & !beginning.begun(n - 1));

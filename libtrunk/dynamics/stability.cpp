@@ -35,6 +35,8 @@ Field stiffness_times(const Model& model, const Parameters<double>& parameters, 
   for (const double side : {1.0, -1.0}) {
     State<double> state = rest_state<double>(model);
     for (std::size_t i = 0; i < field.size(); ++i) state.position[i] += (side * step_m) * field[i];
+    state.previous = state.position;  // nothing flows
+    state.lung_gain = volume_of_fans<double>(w.lung_fans, state.position) - w.lung_rest;
     calc_forces(model, parameters, 1.0, state, w);
     for (std::size_t i = 0; i < field.size(); ++i)
       result[i] -= scaled(model.mobility[i], (side / (2.0 * step_m * model.mass[i])) * w.force[i]);

@@ -7,6 +7,7 @@
 #include "forces/focal.hpp"
 #include "forces/membrane.hpp"
 #include "forces/muscle.hpp"
+#include "forces/pleura.hpp"
 #include "forces/pressure.hpp"
 #include "forces/shape_memory.hpp"
 #include "model/state.hpp"
@@ -17,15 +18,17 @@ namespace trunk {
 /// The result of one step.
 template <Scalar S>
 struct StepReport {
-  S pressure_Pa{0.0};  // inside the held volume, above its rest value
-  Mask<S> ok;          // false if the volume was not restored or a number is not finite
+  S pressure_Pa{0.0};          // inside the held volume, above its rest value
+  S pleural_pressure_Pa{0.0};  // that acted in the step, above its rest value
+  Mask<S> ok;                  // false if the volume was not restored or a number is not finite
 };
 
 /// The type of `step`.
 template <Scalar S>
 using Step = StepReport<S>(const Model&, const Parameters<S>&, const S&, State<S>&, Workspace<S>&) noexcept;
 
-/// Calculates all forces at the current positions, N. (state, activation) => force
+/// Calculates all forces at the current positions, N, and what the constraints need of these positions.
+/// (state, activation) => force, area, pleura
 template <Scalar S>
 void calc_forces(const Model& model, const Parameters<S>& parameters, const S& activation,
                  const State<S>& state, Workspace<S>& w) noexcept {
@@ -35,6 +38,8 @@ void calc_forces(const Model& model, const Parameters<S>& parameters, const S& a
   add_membrane<S>(model.membrane, state.position, w.force);
   add_focal<S>(model.focal_forces, state.time_s, w.force);
   add_pressure<S>(model.pressures, state.time_s, state.position, w.force);
+  calc_held_areas(model, state, w);
+  if (w.pleura.present) add_pleural_force(model, parameters, state, w);
 }
 
 /// Predicts the positions at the end of the step by semi-implicit Euler (our choice). With implicit damping
@@ -55,6 +60,7 @@ void accept(const Model& model, const S& multiplier, Workspace<S>& w, State<S>& 
   std::swap(state.position, w.next);
   accept_bodies(model, multiplier, w, state);
   state.multiplier = multiplier;
+  state.lung_gain = volume_of_fans<S>(w.lung_fans, state.position) - S(w.lung_rest);
   state.time_s += w.dt_s;
 }
 
@@ -63,7 +69,6 @@ template <Scalar S>
 StepReport<S> step(const Model& model, const Parameters<S>& parameters, const S& activation, State<S>& state,
                    Workspace<S>& w) noexcept {
   calc_forces(model, parameters, activation, state, w);
-  calc_held_areas(model, state, w);
   predict(state, w);
   const double end_s = state.time_s + w.dt_s;
   predict_bodies(model, state, end_s, w);
@@ -73,7 +78,9 @@ StepReport<S> step(const Model& model, const Parameters<S>& parameters, const S&
   const Projection<S> projection =
       project_volume_and_supports(model, S(fraction * model.abdomen.rest), state, w);
   accept(model, projection.multiplier, w, state);
-  return {S(1.0 / (w.dt_s * w.dt_s)) * projection.multiplier, projection.found};
+  const S pressure_per_multiplier(1.0 / (w.dt_s * w.dt_s));
+  return {pressure_per_multiplier * projection.multiplier,
+          w.pleura.pressure + pressure_per_multiplier * projection.pleural, projection.found};
 }
 
 }  // namespace trunk

@@ -19,12 +19,13 @@ struct Trial {
 
 /// Returns the numbers of a trial, in a fixed order.
 template <Scalar S>
-std::array<S*, 10 + ShapeKnots::count> numbers(Trial<S>& trial) noexcept {
+std::array<S*, 12 + ShapeKnots::count> numbers(Trial<S>& trial) noexcept {
   auto& [p, a] = trial;
-  std::array<S*, 10 + ShapeKnots::count> all = {
-      &p.elasticity, &p.muscle,      &p.damping,     &p.abdomen_factor,  &a.onset_s,
-      &a.rise_s,     &a.fast_fall_s, &a.slow_fall_s, &a.fast_fall_level, &a.period_s};
-  for (std::size_t k = 0; k < ShapeKnots::count; ++k) all[10 + k] = &a.shape[k];
+  std::array<S*, 12 + ShapeKnots::count> all = {&p.elasticity,     &p.muscle,         &p.damping,
+                                                &p.abdomen_factor, &a.onset_s,        &a.rise_s,
+                                                &a.fast_fall_s,    &a.slow_fall_s,    &a.fast_fall_level,
+                                                &a.period_s,       &p.lung_elastance, &p.resistance};
+  for (std::size_t k = 0; k < ShapeKnots::count; ++k) all[12 + k] = &a.shape[k];
   return all;
 }
 

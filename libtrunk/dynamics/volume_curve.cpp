@@ -6,9 +6,6 @@
 
 namespace trunk {
 
-LungGain::LungGain(const Model& model)
-    : moving_(by_motion(model.lung_fans, model).moving), rest_(volume_of_fans<double>(moving_, model.rest)) {}
-
 void require_lung(double lowest_volume, Ending& ending) {
   if (!ending.completed() || lowest_volume > 0.0) return;
   ending.status = Ending::Status::diverged;

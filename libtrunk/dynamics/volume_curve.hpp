@@ -21,33 +21,15 @@ double take_first_off(std::vector<double>& values);
 /// and the result is not a breath.
 void require_lung(double lowest_volume, Ending& ending);
 
-/// The lung volume above rest, m3. Triangles that never move add a constant and are left out.
-class LungGain {
- public:
-  explicit LungGain(const Model& model);
-
-  /// Returns the volume above rest. position: [particles] m
-  template <Scalar S>
-  S of(std::span<const Vec3<S>> position) const noexcept {
-    return volume_of_fans<S>(moving_, position) - S(rest_);
-  }
-
- private:
-  RingTable moving_;  // fans
-  double rest_;       // m3, the volume of these triangles with the origin, at rest
-};
-
 /// Simulates a trial and returns how each lane ended. => gains, the lung volume above rest at every step that
 /// was reached, m3
 template <Scalar S>
 Endings<S> simulate_volume(const Model& model, const Trial<S>& trial, const TimeGrid& grid,
                            std::vector<S>& gains) {
-  const LungGain gain(model);
   gains.reserve(static_cast<std::size_t>(grid.steps()) + 1);
-  return simulate_lanes(model, trial.parameters, trial.activation, grid,
-                        [&](int, const S&, const State<S>& state, const StepReport<S>&) {
-                          gains.push_back(gain.of<S>(state.position));
-                        });
+  return simulate_lanes(
+      model, trial.parameters, trial.activation, grid,
+      [&](int, const S&, const State<S>& state, const StepReport<S>&) { gains.push_back(state.lung_gain); });
 }
 
 /// Returns the number of samples of a simulation that ended like that.

@@ -57,6 +57,22 @@ bool any_of_ring(const std::vector<bool>& mask, int vertex, std::span<const Neig
          std::any_of(neighbours.begin(), neighbours.end(), [&](Neighbour n) { return holds(n.particle()); });
 }
 
+RingTable turned_over(const RingTable& table) {
+  RingTable result;
+  for_each_ring(table, [&](std::size_t, std::size_t vertex, auto ring) {
+    append(static_cast<int>(vertex), std::vector<Neighbour>(ring.rbegin(), ring.rend()), result);
+  });
+  return result;
+}
+
+bool contains(const RingTable& table, int vertex, std::span<const Neighbour> neighbours) {
+  bool found = false;
+  for_each_ring(table, [&](std::size_t, std::size_t other, auto ring) {
+    found = found || (static_cast<int>(other) == vertex && same_round(ring, neighbours));
+  });
+  return found;
+}
+
 bool contains(const RingTable& all, const RingTable& some) {
   std::map<std::size_t, std::span<const Neighbour>> around;
   for_each_ring(all, [&](std::size_t, std::size_t vertex, auto ring) { around[vertex] = ring; });

@@ -59,6 +59,12 @@ RingTable only_those(const RingTable& table,
 /// Returns whether the mask is true for the vertex of a ring or for one of its neighbours. mask: [particles].
 bool any_of_ring(const std::vector<bool>& mask, int vertex, std::span<const Neighbour> neighbours);
 
+/// Returns the rings as they look from the other side.
+RingTable turned_over(const RingTable& table);
+
+/// Returns whether a table has a ring. The two may begin at different neighbours.
+bool contains(const RingTable& table, int vertex, std::span<const Neighbour> neighbours);
+
 /// Returns whether every ring of `some` is also in `all`. The two may begin at different neighbours.
 bool contains(const RingTable& all, const RingTable& some);
 

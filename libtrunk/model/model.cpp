@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "errors/input_error.hpp"
 #include "math/units.hpp"
 
@@ -78,6 +80,21 @@ void require_supports(const Model& m) {
           fmt::format("the friction coefficient is {}", m.friction), "0 or more");
 }
 
+/// The flow that a free body makes is not part of the implicit resistance.
+void require_pleura(const Model& m) {
+  if (!m.pleura) return;
+  require(m.abdomen.rings.size() > 0, "a lung acts on a trunk without a held volume", "an abdomen");
+  require(std::isfinite(m.pleura->tube_resistance) && m.pleura->tube_resistance >= 0,
+          fmt::format("the tube has a resistance of {} Pa s/m3", m.pleura->tube_resistance), "0 or more");
+  for (const RigidBody& body : m.bodies)
+    if (body.motion == RigidBody::Motion::free)
+      for (const int i : body.particles)
+        require(
+            std::find(m.lung_rings.vertex.begin(), m.lung_rings.vertex.end(), i) == m.lung_rings.vertex.end(),
+            fmt::format("the free rigid part '{}' carries particle {}, on which the lung acts", body.name, i),
+            "a fixed or driven part, or a trunk without [lung] and [airway]");
+}
+
 void require_loads(const Model& m) {
   for (const MembraneEdge& e : m.membrane)
     require(exists(e.a, m) && exists(e.b, m) && e.rest_length > 0 && e.stiffness >= 0,
@@ -148,6 +165,7 @@ void require_valid(const Model& model) {
   require_fibres(model);
   require_supports(model);
   require_loads(model);
+  require_pleura(model);
   require(model.abdomen.rest > 0,
           fmt::format("the abdominal compartment encloses {:.4g} ml at rest", ml_per_m3 * model.abdomen.rest),
           "a positive volume (triangles counter-clockwise seen from outside)");

@@ -107,6 +107,15 @@ struct HeldVolume {
   PiecewiseLinear target;  // fraction of rest; empty: 1 at all times
 };
 
+/// The lung and the airway between the mouth and the pleura (our addition). With V the lung volume, its
+/// pleural pressure is airway_pressure - E_L (V - V at rest) - (R + tube_resistance) V', as a change from
+/// relaxation. E_L and R are Parameters.
+struct Pleura {
+  PiecewiseLinear
+      airway_pressure;           // Pa, above that of the air around, at the outer end of the tube; empty: 0
+  double tube_resistance = 0.0;  // Pa s/m3
+};
+
 /// How a trunk springs back (see measure_recoil). Its volume is close to that of one compartment,
 /// tau V' + V = gain (k_muscle / k_elasticity) A(t), with tau = time_factor damping / k_elasticity.
 struct Recoil {
@@ -134,8 +143,9 @@ struct Model {
   std::vector<FocalForce> focal_forces;
   std::vector<ImposedDisplacement> imposed_displacements;
   std::vector<PressureLoad> pressures;
-  std::vector<Triangle> lung;  // closed; its volume is measured and has no effect
-  RingTable lung_fans;
+  std::vector<Triangle> lung;  // closed
+  RingTable lung_rings, lung_fans;
+  std::optional<Pleura> pleura;  // nothing: the lung's volume is measured and has no effect
   std::optional<Recoil> recoil;  // measured if breathing repeats
 
   std::size_t particles() const noexcept { return rest.size(); }

@@ -33,6 +33,7 @@ struct State {
   };
   std::vector<Contact> contact;  // [supports]
   S multiplier{0.0};             // of the volume constraint
+  S lung_gain{0.0};              // m3, lung volume above rest
   struct Body {
     Pose<S> pose;
     Vec3<S> velocity;          // m/s, of the centre
@@ -75,6 +76,7 @@ void replace(const Mask<S>& lanes, const State<S>& by, State<S>& state) noexcept
     put(by.contact[s].press, state.contact[s].press);
   }
   put(by.multiplier, state.multiplier);
+  put(by.lung_gain, state.lung_gain);
   for (std::size_t b = 0; b < state.body.size(); ++b) {
     const auto& from = by.body[b];
     auto& to = state.body[b];

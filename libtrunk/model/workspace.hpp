@@ -30,6 +30,7 @@ struct RingReactions {
 template <Scalar S>
 struct Workspace {
   double dt_s = 0.0;
+  double damped_at_end = 1.0;         // the share of the velocity at the end of a step on which damping acts
   Mask<S> running = S(0.0) < S(1.0);  // false: the lane has ended, and the others do not wait for it
 
   // (model, parameters, dt) => constant during a run
@@ -39,6 +40,8 @@ struct Workspace {
   std::vector<HalfOpenRange> held_pushed;  // particles around the held volume that forces can move
   RingTable held_fans;                     // fans of the triangles around it that can move
   double held_still = 0.0;                 // m3, the share of all other triangles in it
+  RingTable lung_fans;                     // fans of the lung's triangles that can move
+  double lung_rest = 0.0;                  // m3, their share in the lung volume at rest
   // Weights along the free axes of a particle: of its movement in the last step, m' / M; of the force on it,
   // dt^2 / M in s2/kg; and of a push by the constraints, 1 / M in 1/kg. Implicit damping has M = m + dt c and
   // m' = m, centred damping M = m + dt c / 2 and m' = m - dt c / 2.
@@ -57,7 +60,9 @@ struct Workspace {
     Vec3<S> carried;           // m, how far the surface itself moved there in this step
     Vec3<S> predicted;         // m
     Vec3<S> direction;         // m per unit of the volume's multiplier
+    Vec3<S> pleural;           // m per unit of the pleural multiplier
     S excess{0.0}, rate{0.0};  // how far outside `predicted` is, and its growth per unit of the multiplier
+    S pleural_rate{0.0};       // and per unit of the pleural multiplier
   };
   std::vector<Plane> plane;  // [supports]
 
@@ -70,7 +75,51 @@ struct Workspace {
     Vec3<S> linear, angular, moment;
   };
   std::vector<Body> body;  // [bodies]
+
+  /// The surface on which the pleural pressure acts, and the resistance to the flow of this step.
+  struct Pleura {
+    bool present = false;
+    // constant during a run
+    RingTable rings;                    // of the lung, where they are not abdominal rings turned over
+    std::vector<HalfOpenRange> dome;    // particles whose lung ring is their abdominal ring turned over
+    std::vector<HalfOpenRange> free;    // moving particles of the lung without a support
+    std::vector<std::size_t> supports;  // of the moving particles of the lung that have one
+    std::vector<HalfOpenRange> solved;  // particles that the correction of volume and flow moves
+    // scratch of one step
+    std::vector<Vec3<S>> gradient;         // [particles] m2, of the lung volume at the start of the step
+    std::vector<Vec3<S>> push;             // [particles] m per unit of the pleural multiplier
+    std::vector<Vec3<S>> next, direction;  // [particles] as those of the workspace, without resistance
+    S pressure{0.0};                       // Pa, known at the start of the step
+    S coupling{0.0};                       // the multiplier per m3 that leaves the lung in the step
+    S moved{0.0};                          // m3, that entered the lung in the last step
+  } pleura;
 };
+
+/// Sets the surface on which the pleural pressure acts. held: the rings of the held volume that forces move.
+template <Scalar S>
+void prepare_pleura(const Model& model, const RingTable& held, Workspace<S>& w) {
+  auto& p = w.pleura;
+  const std::size_t n = model.particles();
+  const auto at = [](int i) { return static_cast<std::size_t>(i); };
+  const std::vector<bool> moving = moving_particles(model), pushed = pushed_particles(model);
+  const RingTable facing = only_those(model.lung_rings, [&](int vertex, auto) { return moving[at(vertex)]; });
+  const RingTable turned = turned_over(held);
+  p.rings = only_those(facing, [&](int vertex, auto ring) { return !contains(turned, vertex, ring); });
+  std::vector<bool> dome(n, false), free(n, false), solved(n, false);
+  for (const int vertex : facing.vertex) dome[at(vertex)] = free[at(vertex)] = true;
+  for (const int vertex : p.rings.vertex) dome[at(vertex)] = false;
+  for (const int vertex : held.vertex) solved[at(vertex)] = true;
+  for (std::size_t i = 0; i < n; ++i) solved[i] = solved[i] || (free[i] && pushed[i]);
+  for (std::size_t s = 0; s < model.supports.size(); ++s)
+    if (free[at(model.supports[s].particle)]) {
+      p.supports.push_back(s);
+      free[at(model.supports[s].particle)] = false;
+    }
+  p.dome = ranges(dome);
+  p.free = ranges(free);
+  p.solved = ranges(solved);
+  for (auto* field : {&p.gradient, &p.push, &p.next, &p.direction}) field->resize(n);
+}
 
 /// Returns a workspace with all its sizes and with the values that stay constant during a run. It allocates.
 template <Scalar S>
@@ -83,6 +132,7 @@ Workspace<S> make_workspace(const Model& model, const Parameters<S>& parameters,
   };
   Workspace<S> w;
   w.dt_s = dt_s;
+  w.damped_at_end = at_end;
   const ShapeMemory& memory = model.shape_memory;
   for (std::size_t r = 0; r < memory.rings.size(); ++r) {
     const S share(memory.abdominal_share[r]);
@@ -115,6 +165,10 @@ Workspace<S> make_workspace(const Model& model, const Parameters<S>& parameters,
   auto [moving, still] = by_motion(model.abdomen.fans, model);
   w.held_fans = std::move(moving);
   w.held_still = volume_of_fans<double>(still, model.rest);
+  w.lung_fans = by_motion(model.lung_fans, model).moving;
+  w.lung_rest = volume_of_fans<double>(w.lung_fans, model.rest);
+  w.pleura.present = model.pleura.has_value();
+  if (w.pleura.present) prepare_pleura(model, held, w);
   w.plane.resize(model.supports.size());
   for (const RigidBody& body : model.bodies) {
     const S mass(body.mass), effective_mass = mass + damped_later(body.damping_weight);

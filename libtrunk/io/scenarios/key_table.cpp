@@ -17,6 +17,11 @@ std::vector<Key> make_keys() {
                          auto meaning) {
     return Key{path, meaning, Key::Number{unit, to_si, low, high, field}};
   };
+  const auto of_lung = [](Key key) {
+    key.left_out = [](const Scenario& s) { return !s.lung_acts; };
+    key.when_read = [](Scenario& s) { s.lung_acts = true; };
+    return key;
+  };
   return {
       {"title", "name of this scenario", Key::Text{[](Scenario& s) -> std::string& { return s.title; }}},
 
@@ -102,6 +107,15 @@ std::vector<Key> make_keys() {
           [](Scenario& s) -> double& { return s.tissue.membrane_stiffness; },
           "resistance to stretch along the edges of abdomen and diaphragm; 0: none, as in the paper"),
 
+      {"tissue.damping",
+       "what shares the damping: every particle has as much, or in proportion to its area, so that it does "
+       "not "
+       "depend on the triangles",
+       Key::Choice{{"particle", "area"},
+                   [](Scenario& s, int i) { s.tissue.damping = static_cast<DampingBy>(i); },
+                   [](const Scenario& s) { return static_cast<int>(s.tissue.damping); }},
+       [](const Scenario& s) { return s.tissue.damping == DampingBy::particle; }},
+
       {"paralysis.side", "hemidiaphragm whose fibres do not contract",
        Key::Choice{{"none", "right", "left", "both"},
                    [](Scenario& s, int i) { s.tissue.paralysed = static_cast<Side>(i); },
@@ -151,6 +165,22 @@ std::vector<Key> make_keys() {
           "activation.period_s", "s", one, 0, 600,
           [](Scenario& s) -> double& { return s.activation.period_s; },
           "the pattern repeats after this time; 0: it occurs once, or with each breath if breathing repeats"),
+
+      of_lung(number(
+          "lung.elastance_cmH2O_per_L", "cmH2O_per_L", Pa_per_cmH2O / m3_per_litre, 0, 1000,
+          [](Scenario& s) -> double& { return s.parameters.lung_elastance; },
+          "recoil of the lung; it acts once a scenario has a [lung] or an [airway]")),
+      of_lung(number(
+          "lung.resistance_cmH2O_s_per_L", "cmH2O_s_per_L", Pa_per_cmH2O / m3_per_litre, 0, 1000,
+          [](Scenario& s) -> double& { return s.parameters.resistance; },
+          "resistance of airway and lung tissue to flow")),
+      of_lung({"airway.pressure_cmH2O", "pressure at the mouth or of a ventilator, above that of the room",
+               Key::Course{"cmH2O", Pa_per_cmH2O, -200, 200,
+                           [](Scenario& s) -> PiecewiseLinear& { return s.pleura.airway_pressure; }}}),
+      of_lung(number(
+          "airway.tube_resistance_cmH2O_s_per_L", "cmH2O_s_per_L", Pa_per_cmH2O / m3_per_litre, 0, 1000,
+          [](Scenario& s) -> double& { return s.pleura.tube_resistance; },
+          "resistance of a tube or mask between that pressure and the airway")),
 
       number(
           "time.duration_s", "s", one, 1e-3, 3600, [](Scenario& s) -> double& { return s.time.duration_s; },

@@ -20,6 +20,12 @@ struct ScenarioKey {
     double& (*field)(Scenario&);
     bool& (*automatic)(Scenario&) = nullptr;  // set if the key may be "auto"
   };
+  struct Course {  // a number that stays, or a list of [time in s, number] pairs; 0 before the first
+    std::string_view unit;
+    double to_si;
+    double low, high;
+    PiecewiseLinear& (*field)(Scenario&);
+  };
   struct Integer {
     int low, high;
     int& (*field)(Scenario&);
@@ -41,8 +47,9 @@ struct ScenarioKey {
 
   std::string_view path;  // table.key
   std::string_view meaning;
-  std::variant<Number, Integer, Choice, Switch, Text, File> kind;
+  std::variant<Number, Course, Integer, Choice, Switch, Text, File> kind;
   bool (*left_out)(const Scenario&) = nullptr;  // true: the writer leaves out the key; no function: never
+  void (*when_read)(Scenario&) = nullptr;       // called after a value was read
 };
 
 std::span<const ScenarioKey> scenario_keys();
@@ -57,6 +64,9 @@ std::string unit_of_key(std::string_view path);
 /// Returns the known path that is most similar to an unknown one: the same name with another unit, or else
 /// the path with the smallest edit distance. Returns "" if no path is similar.
 std::string nearest_key(std::string_view unknown);
+
+/// Returns a course as a TOML list of [time in s, value] pairs, the values over `to_si`.
+std::string toml_events(const PiecewiseLinear& course, double to_si);
 
 /// Returns a text as a quoted TOML string.
 std::string toml_text(std::string_view text);

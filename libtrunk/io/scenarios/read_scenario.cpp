@@ -38,6 +38,16 @@ struct Assign {
     if (!(value >= n.low && value <= n.high)) wrong();
     n.field(scenario) = value * n.to_si;
   }
+  void operator()(const ScenarioKey::Course& c) const {
+    if (node.is_array()) {
+      c.field(scenario) = events_of(node, std::string(key.path), c.to_si, 0.0, place);
+    } else {
+      const double value = c.to_si * number_of(node, std::string(key.path), expectation(key), place);
+      c.field(scenario) = PiecewiseLinear({{0.0, value}}, value);
+    }
+    for (const auto& event : c.field(scenario).events())
+      if (!(event.value >= c.low * c.to_si && event.value <= c.high * c.to_si)) wrong();
+  }
   void operator()(const ScenarioKey::Integer& i) const {
     const auto value = node.value_exact<std::int64_t>();
     if (!value || *value < i.low || *value > i.high) wrong();
@@ -138,6 +148,7 @@ class Reader {
 
   void assign(const ScenarioKey& key, const toml::node& node, const Place& place) {
     std::visit(Assign{file_.scenario, key, node, place}, key.kind);
+    if (key.when_read) key.when_read(file_.scenario);
     file_.origin[std::string(key.path)] = place;
   }
 

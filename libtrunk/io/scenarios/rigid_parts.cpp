@@ -79,13 +79,6 @@ std::string toml_direction(const Vec3d& d) {
   return fmt::format("[{}, {}, {}]", d.x(), d.y(), d.z());
 }
 
-std::string toml_events(const PiecewiseLinear& course, double to_si) {
-  std::string text;
-  for (const auto& event : course.events())
-    text += fmt::format("{}[{}, {}]", text.empty() ? "" : ", ", event.time_s, event.value / to_si);
-  return "[" + text + "]";
-}
-
 std::string to_toml(const RigidPart& part) {
   constexpr std::string_view motions[] = {"fixed", "driven", "free"};
   const ImposedMotion& m = part.imposed;

@@ -37,8 +37,7 @@ RigidPart rigid_part_of(const toml::table& table, const Place& place);
 /// Returns a part as TOML.
 std::string to_toml(const RigidPart& part);
 
-/// Return "[x, y, z]", and "[[time, value], ...]" with the values divided by `to_si`.
+/// Returns "[x, y, z]".
 std::string toml_direction(const Vec3d& direction);
-std::string toml_events(const PiecewiseLinear& course, double to_si);
 
 }  // namespace trunk
