@@ -10,6 +10,8 @@
 #include "anatomy/template_mesh.hpp"
 #include "errors/input_error.hpp"
 #include "forces/shape_memory.hpp"
+#include "mesh/areas.hpp"
+#include "sheet/sheet.hpp"
 
 namespace trunk {
 namespace {
@@ -86,6 +88,51 @@ std::vector<MembraneEdge> make_membrane(const TrunkMesh& m, double stiffness) {
   return edges;
 }
 
+/// Returns the strength of each fibre over their mean: the width of its strip of muscle at the insertion.
+std::vector<double> relative_widths(const TrunkMesh& m) {
+  std::vector<double> widths;
+  const std::size_t count = m.muscle_lines.size();
+  const auto insertion = [&](std::size_t line) { return m.rest[index(m.muscle_lines[line % count].front())]; };
+  double sum = 0.0;
+  for (std::size_t line = 0; line < count; ++line) {
+    const Vec3d here = insertion(line);
+    widths.push_back(norm(insertion(line + 1) - here) + norm(here - insertion(line + count - 1)));
+    sum += widths.back();
+  }
+  for (double& width : widths) width *= static_cast<double>(count) / sum;
+  return widths;
+}
+
+/// Makes the elastic particles those of a sheet. On a mesh of fineness n, the tissue's stiffness and damping are
+/// over those of the 113-particle template times n^2 and 1/n^2. Mass serves the stability of the step only, so a
+/// particle gets no less than keeps that of a regular mesh. => model. Returns the factors of lay_sheet.
+std::vector<double> make_sheet(const TrunkMesh& m, const Tissue& tissue, Model& model) {
+  const double finer = m.fineness * m.fineness;
+  for (double& weight : model.shape_memory.stiffness_weight) weight /= finer;
+  std::vector<double> factor = lay_sheet(m.abdomen, m.rest, model.shape_memory);
+  const std::vector<double> area = particle_areas(m.abdomen, m.rest);
+  for (std::size_t i = 0; i < area.size(); ++i) {
+    if (area[i] == 0.0) continue;
+    model.mass[i] = std::max(model.mass[i], tissue.particle_mass * factor[i] / (finer * finer));
+    model.damping_weight[i] *= finer * area[i] / sheet_area;
+  }
+  const std::vector<double> width = relative_widths(m);
+  for (std::size_t line = 0; line < width.size(); ++line) model.fibres[line].activity *= width[line];
+  return factor;
+}
+
+/// Stiffens the rings on the borders of what is held. Ribs hold the zone of apposition along its normal. The
+/// spine is a line with the wall on both sides.
+void stiffen_borders(const TrunkMesh& m, std::span<const double> factor, Model& model) {
+  const std::vector<bool> pushed = pushed_particles(model);
+  std::vector<bool> border = pushed;
+  border.flip();
+  std::vector<bool> clamped = border;
+  for (const Support& support : model.supports) clamped[index(support.particle)] = true;
+  for (const int i : m.named("spine")) border[index(i)] = false;
+  trunk::stiffen_borders(m.rest, clamped, border, factor, model.shape_memory);
+}
+
 void require_possible(const Tissue& tissue) {
   for (const double factor : {tissue.tendon_factor, tissue.paralysed_stiffness, tissue.rib_friction,
                               tissue.membrane_stiffness, tissue.particle_mass, tissue.held_stiffness})
@@ -146,12 +193,15 @@ Trunk make_trunk(const TrunkMesh& mesh, const Tissue& tissue, Reaction reaction,
   model.shape_memory = make_shape_memory(abdomen, mesh.rest, stiffness, abdominal_shares(mesh), reaction);
   model.membrane = make_membrane(mesh, tissue.membrane_stiffness);
   model.fibres = make_fibres(mesh, tissue, healthy.fibre_strength);
+  std::vector<double> sheet_factor;
+  if (tissue.elasticity == ElasticLaw::sheet) sheet_factor = make_sheet(mesh, tissue, model);
   model.abdomen = held_volume(abdomen, mesh.rest);
   model.lung = mesh.lung;
   model.lung_rings = ring_table(lung);
   model.lung_fans = fans(mesh.lung);
   for (int i : mesh.named("fixed")) model.mobility[index(i)] = {0.0, 0.0, 0.0};
   add_rigid_parts(mesh, tissue, parts, model);
+  if (tissue.elasticity == ElasticLaw::sheet) stiffen_borders(mesh, sheet_factor, model);
   stiffen_held(tissue.held_stiffness, model);
   leave_out_unpushed(pushed_particles(model), model.shape_memory);
   require_valid(model);

@@ -19,7 +19,8 @@ struct Trunk {
 /// Parameters mean the same on a finer mesh (our choice). Let n be the mesh's fineness. Shape memory is n^2
 /// times as stiff at each particle: the offset of a particle from its ring shrinks with the square of the
 /// spacing, while the number of particles grows with it, so that the energy of a given bending stays. n^2
-/// times as many particles share mass and damping, and n times as many fibres share the muscle.
+/// times as many particles share mass and damping, and n times as many fibres share the muscle. With
+/// ElasticLaw::sheet, stiffness, damping and muscle go by areas and widths instead.
 Trunk make_trunk(const TrunkMesh& mesh, const Tissue& tissue, Reaction reaction,
                  const std::vector<RigidPart>& parts = {});
 

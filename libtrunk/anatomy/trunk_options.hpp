@@ -37,10 +37,16 @@ enum class FibreEnd { tendon_border, apposition_top };
 ///    particles of the template. It does not depend on the triangles (our choice).
 enum class DampingBy { particle, area };
 
+/// How the stiffness of a particle follows from the mesh.
+///  - ring: the paper's. All rings are alike, and results depend on how the mesh is triangulated.
+///  - sheet: that of a thin sheet, which the triangles do not change (our choice; libtrunk/sheet/README.md).
+enum class ElasticLaw { ring, sheet };
+
 /// The properties of tissue, muscle and skeleton that are not fitted.
 struct Tissue {
   double particle_mass = 0.2;  // kg; our choice
   DampingBy damping = DampingBy::particle;
+  ElasticLaw elasticity = ElasticLaw::ring;
   double tendon_factor = 2.0;  // stiffness of the central tendon over that of the rest (paper)
   FibreEnd fibre_end = FibreEnd::tendon_border;
   bool ribs = true;  // a rigid rib cage carries the costal insertion and keeps the zone of apposition inside

@@ -48,6 +48,15 @@ template <Scalar S, class Neighbours>
   return frame;
 }
 
+/// Returns how far the extra weights of the neighbours move their mean, m. extra: (j), they sum to 0
+template <Scalar S, class Neighbours, class Extra>
+[[gnu::always_inline]] inline Vec3<S> shift_of_mean(const Neighbours& neighbours,
+                                                    const Extra& extra) noexcept {
+  Vec3<S> shift = extra(0) * neighbours[0];
+  for (std::size_t j = 1; j < neighbours.size(); ++j) shift += extra(j) * neighbours[j];
+  return shift;
+}
+
 /// Returns where the particle would be at rest relative to its neighbours, T - G = x0 u + y0 v + z0 n (paper,
 /// "Dynamics"). The paper has two angles and a distance; Cartesian numbers are also defined at a distance of
 /// zero.
@@ -90,13 +99,18 @@ template <Reaction reaction, Scalar S>
 }
 
 /// Calculates the forces of one ring. (position) => reactions
-template <Reaction reaction, std::size_t Valence, Scalar S>
+template <Reaction reaction, bool weighted, std::size_t Valence, Scalar S>
 void calc_ring(const ShapeMemory& memory, const RingTable::Group& group, int ring,
                std::span<const S> stiffness, std::span<const Vec3<S>> position,
                RingReactions<S>& reactions) noexcept {
   const auto row = static_cast<std::size_t>(ring), i = static_cast<std::size_t>(memory.rings.vertex[row]);
   const RingPositions<S, Valence> neighbours{neighbours_of<Valence>(memory.rings, group, ring), position};
-  const auto found = ring_forces<reaction, S>(local_frame<S>(neighbours), neighbours.size(), position[i],
+  LocalFrame<S> frame = local_frame<S>(neighbours);
+  if constexpr (weighted) {
+    const double* extra = of_ring(memory.extra_weight, memory.rings, neighbours.ring);
+    frame.centre += shift_of_mean<S>(neighbours, [&](std::size_t j) { return S(extra[j]); });
+  }
+  const auto found = ring_forces<reaction, S>(frame, neighbours.size(), position[i],
                                               lift<S>(memory.rest_offset[row]), stiffness[row]);
   reactions.on_particle[i] = found.on_particle;
   reactions.share[i] = found.share;
@@ -120,13 +134,14 @@ struct PackedRing {
 
 /// Calculates the forces of four rings of one simulation, side by side in the lanes of a register.
 /// (position) => reactions
-template <Reaction reaction, std::size_t Valence>
+template <Reaction reaction, bool weighted, std::size_t Valence>
 void calc_four_rings(const ShapeMemory& memory, const RingTable::Group& group, int ring,
                      std::span<const double> stiffness, std::span<const Vec3d> position,
                      RingReactions<double>& reactions) noexcept {
   using Four = Lanes<4>;
   const auto row = static_cast<std::size_t>(ring);
-  const Neighbour* neighbour = neighbours_of<Valence>(memory.rings, group, ring).data();
+  const std::span<const Neighbour, Valence> first = neighbours_of<Valence>(memory.rings, group, ring);
+  const Neighbour* neighbour = first.data();
   const auto vertex = [&](std::size_t lane) {
     return static_cast<std::size_t>(memory.rings.vertex[row + lane]);
   };
@@ -136,7 +151,13 @@ void calc_four_rings(const ShapeMemory& memory, const RingTable::Group& group, i
   const PackedRing<Valence, decltype(in_ring)> neighbours{in_ring};
   const auto& rest = memory.rest_offset;
   // The frame comes before the rest is packed, since registers are few.
-  const LocalFrame<Four> frame = local_frame<Four>(neighbours);
+  LocalFrame<Four> frame = local_frame<Four>(neighbours);
+  if constexpr (weighted) {
+    const double* extra = of_ring(memory.extra_weight, memory.rings, first);
+    frame.centre += shift_of_mean<Four>(neighbours, [&](std::size_t j) {
+      return Four(Four::Register{extra[j], extra[Valence + j], extra[2 * Valence + j], extra[3 * Valence + j]});
+    });
+  }
   const RingForces<Four> found = ring_forces<reaction, Four>(
       frame, Valence,
       packed(position[vertex(0)], position[vertex(1)], position[vertex(2)], position[vertex(3)]),
@@ -157,27 +178,28 @@ void calc_four_rings(const ShapeMemory& memory, const RingTable::Group& group, i
 
 /// Calculates the forces of all rings of one valence, four at a time where possible. The last four may
 /// include rings that are done already; their results are the same. (position) => reactions
-template <Reaction reaction, std::size_t Valence, Scalar S>
+template <Reaction reaction, bool weighted, std::size_t Valence, Scalar S>
 void calc_rings(const ShapeMemory& memory, const RingTable::Group& group, std::span<const S> stiffness,
                 std::span<const Vec3<S>> position, RingReactions<S>& reactions) noexcept {
 #ifdef __AVX__
   if constexpr (std::same_as<S, double> && Valence != std::dynamic_extent)
     if (group.last - group.first >= 4) {
       for (int ring = group.first; ring < group.last; ring += 4)
-        calc_four_rings<reaction, Valence>(memory, group, std::min(ring, group.last - 4), stiffness, position,
-                                           reactions);
+        calc_four_rings<reaction, weighted, Valence>(memory, group, std::min(ring, group.last - 4), stiffness,
+                                                     position, reactions);
       return;
     }
 #endif
   for (int ring = group.first; ring < group.last; ++ring)
-    calc_ring<reaction, Valence, S>(memory, group, ring, stiffness, position, reactions);
+    calc_ring<reaction, weighted, Valence, S>(memory, group, ring, stiffness, position, reactions);
 }
 
 /// Adds up the forces of the rings on each particle. On a closed surface, the rings that react on a particle
 /// are those of its own neighbours, and in the ring of neighbour j it stands between j + 1 and j - 1. The sum
-/// of (N_(j-1) - N_(j+1)) x tilt_j is thus how twice the area of its own ring grows with the tilts.
+/// of (N_(j-1) - N_(j+1)) x tilt_j is thus how twice the area of its own ring grows with the tilts. A neighbour
+/// with an extra weight takes that share of the force more.
 /// (position, reactions) => force
-template <Reaction reaction, Scalar S>
+template <Reaction reaction, bool weighted, Scalar S>
 void add_ring_forces(const ShapeMemory& memory, std::span<const Vec3<S>> position,
                      const RingReactions<S>& reactions, std::span<Vec3<S>> force) noexcept {
   for_each_ring(memory.receiving, [&]<std::size_t Valence>(std::size_t, std::size_t vertex,
@@ -185,6 +207,11 @@ void add_ring_forces(const ShapeMemory& memory, std::span<const Vec3<S>> positio
     const RingPositions<S, Valence> share{ring, reactions.share};
     Vec3<S> asked = share[0];
     for (std::size_t j = 1; j < ring.size(); ++j) asked += share[j];
+    if constexpr (weighted) {
+      const double* extra = of_ring(memory.extra_received, memory.receiving, ring);
+      asked += shift_of_mean<S>(RingPositions<S, Valence>{ring, reactions.on_particle},
+                                [&](std::size_t j) { return S(extra[j]); });
+    }
     if constexpr (reaction == Reaction::variational)
       asked += twice_area_change<S>(RingPositions<S, Valence>{ring, position},
                                     RingPositions<S, Valence>{ring, reactions.tilt});
@@ -199,24 +226,26 @@ void add_ring_forces(const ShapeMemory& memory, std::span<const Vec3<S>> positio
 /// Adds the forces of all rings. The rings come first and the sums for the particles second, so that no ring
 /// waits for another. Particles that no force moves get only parts of their forces.
 /// (position, ring_stiffness) => reactions, force
-template <Reaction reaction, Scalar S>
+template <Reaction reaction, Scalar S, bool weighted = false>
 void add_shape_memory(const ShapeMemory& memory, std::span<const S> ring_stiffness,
                       std::span<const Vec3<S>> position, RingReactions<S>& reactions,
                       std::span<Vec3<S>> force) noexcept {
   for_each_valence(memory.rings, [&]<std::size_t Valence>(const RingTable::Group& group) {
-    calc_rings<reaction, Valence, S>(memory, group, ring_stiffness, position, reactions);
+    calc_rings<reaction, weighted, Valence, S>(memory, group, ring_stiffness, position, reactions);
   });
-  add_ring_forces<reaction, S>(memory, position, reactions, force);
+  add_ring_forces<reaction, weighted, S>(memory, position, reactions, force);
 }
 
 template <Scalar S>
 void add_shape_memory(const ShapeMemory& memory, std::span<const S> ring_stiffness,
                       std::span<const Vec3<S>> position, RingReactions<S>& reactions,
                       std::span<Vec3<S>> force) noexcept {
-  if (memory.reaction == Reaction::variational)
+  if (memory.reaction == Reaction::published)
+    add_shape_memory<Reaction::published, S>(memory, ring_stiffness, position, reactions, force);
+  else if (memory.extra_weight.empty())
     add_shape_memory<Reaction::variational, S>(memory, ring_stiffness, position, reactions, force);
   else
-    add_shape_memory<Reaction::published, S>(memory, ring_stiffness, position, reactions, force);
+    add_shape_memory<Reaction::variational, S, true>(memory, ring_stiffness, position, reactions, force);
 }
 
 /// Returns the energy 1/2 k |P - T|^2 summed over the rings, J. The variational forces are its negative
@@ -229,6 +258,14 @@ double shape_memory_energy(const ShapeMemory& memory, std::span<const double> ri
 ShapeMemory make_shape_memory(const Surface& surface, std::span<const Vec3d> rest,
                               std::span<const double> stiffness_weight,
                               std::span<const double> abdominal_share, Reaction reaction);
+
+/// Gives the neighbours of each ring these weights in its centre, and takes the rest shape again. weights:
+/// [as memory.rings.neighbour], those of a ring sum to 1; rest: [particles] m. => memory
+void weigh_neighbours(std::span<const double> weights, std::span<const Vec3d> rest, ShapeMemory& memory);
+
+/// Returns the place T to which a ring draws its particle, m. ring: the row in memory.rings, and its neighbours
+Vec3d target_of(const ShapeMemory& memory, std::size_t ring, std::span<const Neighbour> neighbours,
+                std::span<const Vec3d> position);
 
 /// Removes the forces on particles that no force moves, and the rings that act only on such particles.
 /// pushed: [particles]. => memory

@@ -103,6 +103,13 @@ std::span<const Neighbour, Valence> neighbours_of(const RingTable& table, const 
       table.neighbour.data() + static_cast<std::size_t>(group.first_neighbour) + rank * valence, valence);
 }
 
+/// Returns the numbers of a ring in a field that has one for each neighbour of the table. ring: a part of
+/// table.neighbour
+inline const double* of_ring(const std::vector<double>& field, const RingTable& table,
+                             std::span<const Neighbour> ring) noexcept {
+  return field.data() + (ring.data() - table.neighbour.data());
+}
+
 /// The positions of a ring's neighbours, read where they are stored.
 template <Scalar S, std::size_t Valence>
 struct RingPositions {

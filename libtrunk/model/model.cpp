@@ -44,6 +44,11 @@ void require_shape_memory(const Model& m) {
   require(s.rest_offset.size() == rings && s.stiffness_weight.size() == rings &&
               s.abdominal_share.size() == rings,
           "the shape memory's arrays differ in length");
+  require(s.extra_weight.empty() || (s.extra_weight.size() == s.rings.neighbour.size() &&
+                                     s.extra_received.size() == s.receiving.neighbour.size()),
+          "the shape memory's weights are not one for each neighbour");
+  require(s.extra_weight.empty() || s.reaction == Reaction::variational,
+          "the published reaction is shared equally, so neighbours cannot have weights");
   for (std::size_t r = 0; r < rings; ++r) {
     require(finite(s.rest_offset[r]),
             fmt::format("particle {}: its neighbours enclose no area, so it has no local frame",

@@ -25,6 +25,10 @@ struct ShapeMemory {
   std::vector<Vec3d> rest_offset;        // [rings] m, P - G at rest in the local frame (u, v, n)
   std::vector<double> stiffness_weight;  // [rings] times k_elasticity; 2 in the central tendon
   std::vector<double> abdominal_share;   // [rings] 0 to 1: how much the abdominal stiffness factor applies
+  /// How much more than 1/m each neighbour weighs in the centre G of its ring; empty: all weigh 1/m. With
+  /// weights, the reaction is variational.
+  std::vector<double> extra_weight;    // [as rings.neighbour]
+  std::vector<double> extra_received;  // [as receiving.neighbour] that of the particle in its neighbour's ring
 };
 
 /// A muscle fibre: an actuator of zero rest length between two particles. Its stiffness is A(t) k_muscle

@@ -2,6 +2,9 @@
 
 import numpy as np
 
+from oracle.rings import rings_of
+from oracle.sheet import AREA, areas, ring_weights, stiffness_factor
+
 DIAPHRAGM = ("costal_insertion", "zone_of_apposition", "muscular_dome", "central_tendon")
 ABDOMINAL = ("pelvis", "abdominal_wall")
 RIB_CAGE = ("costal_insertion", "lung_wall", "lung_top")
@@ -76,7 +79,7 @@ class Tissue:
 
     On a mesh of n times as many particles along a length, these stand for n^2 times as many particles and n times
     as many fibres of the same trunk: mass and damping a particle are those at n = 1 over n^2, muscle over n,
-    shape memory times n^2.
+    shape memory times n^2. In a sheet, shape memory and damping go by areas, and muscle by widths.
     """
 
     def __init__(self, run, anatomy):
@@ -106,3 +109,22 @@ class Tissue:
         self.stiffness = s["parameters"]["k_elasticity_N_per_m"] * stiffness
         self.insertion, self.origin = run.fibres.T
         self.fibres = s["parameters"]["k_muscle_N_per_m"] * strength * (1.0 - paralysed[self.insertion])
+        self.weights = None
+        if s["tissue"].get("elasticity") == "sheet":
+            self.make_sheet(anatomy, n, s["tissue"]["particle_mass_kg"])
+
+    def make_sheet(self, anatomy, n, particle_mass):
+        rest, area = anatomy.rest, areas(anatomy.surface, anatomy.rest)
+        self.weights, self.sheet_factor = {}, np.ones(rest.shape[1])
+        for v, ring in rings_of(anatomy.surface, rest).items():
+            arms = rest[:, ring] - rest[:, [v]]
+            self.weights[v] = ring_weights(arms)
+            self.sheet_factor[v] = stiffness_factor(area[v], arms, self.weights[v])
+        on_sheet = area > 0.0
+        self.stiffness *= self.sheet_factor / n**2
+        self.mass = np.where(on_sheet, np.maximum(self.mass, particle_mass * self.sheet_factor / n**4), self.mass)
+        self.damping = np.where(on_sheet, self.damping * n**2 * area / AREA, self.damping)
+        insertions = rest[:, anatomy.muscle_lines[:, 0]]
+        step = np.linalg.norm(np.roll(insertions, -1, axis=1) - insertions, axis=0)
+        width = step + np.roll(step, 1)
+        self.fibres = self.fibres * width / width.mean()

@@ -9,6 +9,7 @@ from oracle.ribs import Ribs
 from oracle.rigid import Driven, Fixed, Free
 from oracle.rings import rings_of
 from oracle.run import starts_at_rest
+from oracle.sheet import border_stiffness, free_side
 from oracle.volume import enclosed_volume
 
 RINGS_AT_ONCE = 25  # their complex steps stay in the processor's cache
@@ -48,14 +49,29 @@ class Body:
         for part in self.free:
             held[part.particles] = False
         stiffness = self.tissue.stiffness * np.where(held, s["tissue"]["held_stiffness_factor"], 1.0)
-        rings = rings_of(self.anatomy.surface, self.rest)
+        rings, weights = rings_of(self.anatomy.surface, self.rest), self.tissue.weights
+        if weights:
+            stiffness *= self.stiffening_of_borders(rings, held)
         self.rings = []
         for valence in sorted({len(ring) for ring in rings.values()}):
             members = np.array([[v, *ring] for v, ring in rings.items() if len(ring) == valence]).T
             for part in np.array_split(members, -(-members.shape[1] // RINGS_AT_ONCE), axis=1):
-                self.rings.append(RingGroup(part, stiffness[part[0]], self.rest))
+                of_part = np.array([weights[v] for v in part[0]]).T if weights else None
+                self.rings.append(RingGroup(part, stiffness[part[0]], of_part, self.rest))
         per_edge = s["tissue"]["membrane_stiffness_N_per_m"]
         self.membranes = [Membrane(self.anatomy.surface, self.rest, per_edge)] if per_edge > 0.0 else []
+
+    def stiffening_of_borders(self, rings, held):
+        """Factor on the stiffness of each particle of a sheet. The ribs clamp what slides along them, and the spine
+        is a line with the sheet on both sides."""
+        factor, clamped = np.ones(self.rest.shape[1]), held.copy()
+        clamped[self.ribs.particles] = True
+        for v, ring in rings.items():
+            side = free_side(np.array(ring), clamped)
+            if held[v] and v not in self.anatomy.names["spine"] and side:
+                points = self.rest[:, [v, *ring]]
+                factor[v] = border_stiffness(points, self.tissue.weights[v], side) / self.tissue.sheet_factor[v]
+        return factor
 
     def set_rigid_parts(self, s):
         """Those of the scenario; with ribs, one more carries what they leave of the rib cage, and all particles of

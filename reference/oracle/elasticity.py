@@ -1,6 +1,7 @@
 """Forces as negative slopes of energies.
 
-Shape memory: particle P is drawn to T = G + x0 u + y0 v + z0 n, known from its ring N_1..N_m alone.
+Shape memory: particle P is drawn to T = G + x0 u + y0 v + z0 n, known from its ring N_1..N_m alone. G is the mean of
+the ring by the weights of its members. The axis u starts from the plain mean.
 """
 
 import functools
@@ -44,31 +45,41 @@ def unit(a):
 
 
 def local_frame(ring):
-    """G and the axes (u, v, n) of rings [xyz, m, ...]: n along the area vector, u to N_1 across n, v = n x u."""
-    centre = ring.mean(axis=1)
-    arm = ring - centre[:, None]
+    """The axes (u, v, n) of rings [xyz, m, ...]: n along the area vector, u to N_1 across n, v = n x u."""
+    arm = ring - ring.mean(axis=1)[:, None]
     n = unit(cross(arm[:, :-1], arm[:, 1:]).sum(axis=1) + cross(arm[:, -1], arm[:, 0]))
     u = unit(arm[:, 0] - dot(arm[:, 0], n) * n)
-    return centre, (u, cross(n, u), n)
+    return u, cross(n, u), n
 
 
-def target(ring, rest_offset):
-    centre, axes = local_frame(ring)
-    return centre + sum(number * axis for number, axis in zip(rest_offset, axes))
+def centre_of(ring, weights):
+    """G of rings [xyz, m, ..., rings]; weights: [m, rings], or None for the plain mean"""
+    if weights is None:
+        return ring.mean(axis=1)
+    spread = weights.reshape(weights.shape[:1] + (1,) * (ring.ndim - 1 - weights.ndim) + weights.shape[1:])
+    return (spread * ring).sum(axis=1)
+
+
+def target(ring, weights, rest_offset):
+    return centre_of(ring, weights) + sum(number * axis for number, axis in zip(rest_offset, local_frame(ring)))
+
+
+def offset_at_rest(points, weights):
+    """P - G of rings at rest along their axes. points: [xyz, m + 1, ...], P before N_1..N_m"""
+    ring = points[:, 1:]
+    return [dot(points[:, 0] - centre_of(ring, weights), axis) for axis in local_frame(ring)]
 
 
 class RingGroup:
-    """All rings of one valence m, side by side. members: [m + 1, rings], P before N_1..N_m."""
+    """All rings of one valence m, side by side. members: [m + 1, rings], P before N_1..N_m; weights: [m, rings]."""
 
-    def __init__(self, members, stiffness, rest):
-        self.members, self.stiffness = members, stiffness
-        points = rest[:, members]
-        centre, axes = local_frame(points[:, 1:])
-        self.rest_offset = [dot(points[:, 0] - centre, axis) for axis in axes]
+    def __init__(self, members, stiffness, weights, rest):
+        self.members, self.stiffness, self.weights = members, stiffness, weights
+        self.rest_offset = offset_at_rest(rest[:, members], weights)
 
     def energy(self, points):
         """E = 1/2 k |P - T|^2 of every ring, J. points: [xyz, m + 1, ..., rings]"""
-        stretch = points[:, 0] - target(points[:, 1:], self.rest_offset)
+        stretch = points[:, 0] - target(points[:, 1:], self.weights, self.rest_offset)
         return 0.5 * self.stiffness * dot(stretch, stretch)
 
     def variational(self, points):
@@ -77,7 +88,7 @@ class RingGroup:
 
     def published(self, points):
         """k (T - P) on P, shared equally by its neighbours with the opposite sign."""
-        force = self.stiffness * (target(points[:, 1:], self.rest_offset) - points[:, 0])
+        force = self.stiffness * (target(points[:, 1:], self.weights, self.rest_offset) - points[:, 0])
         valence = points.shape[1] - 1
         return np.stack([force] + valence * [-force / valence], axis=1)
 

@@ -89,6 +89,13 @@ std::vector<Key> make_keys() {
           "stiffness of held particles of abdomen and diaphragm, as a multiple of their own elasticity; 2 "
           "makes "
           "results converge faster with the resolution"),
+      {"tissue.elasticity",
+       "how the stiffness of a particle follows from the mesh: each ring alike (the paper's), or as a sheet, "
+       "whose results do not depend on the triangles",
+       Key::Choice{{"ring", "sheet"},
+                   [](Scenario& s, int i) { s.tissue.elasticity = static_cast<ElasticLaw>(i); },
+                   [](const Scenario& s) { return static_cast<int>(s.tissue.elasticity); }},
+       [](const Scenario& s) { return s.tissue.elasticity == ElasticLaw::ring; }},
       {"tissue.reaction", "how the neighbours balance shape-memory forces",
        Key::Choice{{"variational", "published"},
                    [](Scenario& s, int i) { s.reaction = static_cast<Reaction>(i); },
