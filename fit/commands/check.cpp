@@ -11,6 +11,7 @@
 #include "math/units.hpp"
 #include "scenarios/build_trunk.hpp"
 #include "scenarios/keys.hpp"
+#include "sheet/sheet.hpp"
 #include "subject/check_fit.hpp"
 
 namespace trunk {
@@ -79,6 +80,11 @@ std::optional<ScenarioFile> check_scenario(const CheckRequest& request, Findings
                                   : fmt::format("{} steps of {:g} ms", time.steps(), 1e3 * time.dt_s);
     findings.text += fmt::format("{}: good. {} particles, {} (stable below {:.3g} ms)\n",
                                  request.fit.scenario, trunk.model.particles(), steps, 1e3 * bound_s);
+    if (file->scenario.tissue.elasticity == ElasticLaw::ring) return;
+    const double bending = bending_stiffness(file->scenario.parameters.elasticity);
+    findings.json["bending_stiffness_N_m"] = bending;
+    findings.text += fmt::format("k_elasticity {:.4g} N/m bends like a sheet of D = {:.3g} N m\n",
+                                 file->scenario.parameters.elasticity, bending);
   });
   return file;
 }

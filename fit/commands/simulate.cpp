@@ -10,6 +10,7 @@
 #include "records/stored_subject.hpp"
 #include "results/write/write_run.hpp"
 #include "scenarios/build_trunk.hpp"
+#include "sheet/sheet.hpp"
 #include "subject/predict.hpp"
 
 namespace trunk {
@@ -51,6 +52,8 @@ Json summary(const Trunk& trunk, const Scenario& scenario, const BreathRun& run,
     json["dt_stable_s"] = json_number(choice->stable_s);
     json["dt_estimated_error_percent"] = json_number(100.0 * choice->estimated_error);
   }
+  if (scenario.tissue.elasticity == ElasticLaw::sheet)
+    json["bending_stiffness_N_m"] = bending_stiffness(scenario.parameters.elasticity);
   json["wall_s"] = run.wall_s;
   json["message"] = run.ending.message;
   return json;
@@ -133,9 +136,15 @@ Exit simulate_command(const Common& common, const SimulateRequest& request) {
     print_note(fmt::format(
         "note: {} triangles of the lung turned over: the breath is deeper than this model can follow",
         run.flipped_triangles));
+  const Parameters<double>& parameters = file.scenario.parameters;
+  const std::string bending =
+      file.scenario.tissue.elasticity == ElasticLaw::ring
+          ? ""
+          : fmt::format("  k_elasticity {:.4g} N/m bends like a sheet of D = {:.3g} N m\n",
+                        parameters.elasticity, bending_stiffness(parameters.elasticity));
   const std::string text = fmt::format(
-      "{}: {}\n{}  {} particles, {} steps of {:g} ms in {:.1f} ms; written to {}", file.scenario.title,
-      run.ending.message, table(run, prediction), trunk.model.particles(), run.ending.steps,
+      "{}: {}\n{}{}  {} particles, {} steps of {:g} ms in {:.1f} ms; written to {}", file.scenario.title,
+      run.ending.message, table(run, prediction), bending, trunk.model.particles(), run.ending.steps,
       ms_per_s * file.scenario.time.dt_s, ms_per_s * run.wall_s, request.output);
   print_result(common, summary(trunk, file.scenario, run, prediction), text);
   return run.ending.completed() ? Exit::done : Exit::not_converged;

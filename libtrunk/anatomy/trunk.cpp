@@ -88,24 +88,24 @@ std::vector<MembraneEdge> make_membrane(const TrunkMesh& m, double stiffness) {
   return edges;
 }
 
-/// Returns the strength of each fibre over their mean: the width of its strip of muscle at the insertion.
-std::vector<double> relative_widths(const TrunkMesh& m) {
+/// Returns the width of the strip of muscle of each line at its insertion, m.
+std::vector<double> muscle_widths(const TrunkMesh& m) {
   std::vector<double> widths;
   const std::size_t count = m.muscle_lines.size();
-  const auto insertion = [&](std::size_t line) { return m.rest[index(m.muscle_lines[line % count].front())]; };
-  double sum = 0.0;
+  const auto insertion = [&](std::size_t line) {
+    return m.rest[index(m.muscle_lines[line % count].front())];
+  };
   for (std::size_t line = 0; line < count; ++line) {
     const Vec3d here = insertion(line);
-    widths.push_back(norm(insertion(line + 1) - here) + norm(here - insertion(line + count - 1)));
-    sum += widths.back();
+    widths.push_back(0.5 * (norm(insertion(line + 1) - here) + norm(here - insertion(line + count - 1))));
   }
-  for (double& width : widths) width *= static_cast<double>(count) / sum;
   return widths;
 }
 
-/// Makes the elastic particles those of a sheet. On a mesh of fineness n, the tissue's stiffness and damping are
-/// over those of the 113-particle template times n^2 and 1/n^2. Mass serves the stability of the step only, so a
-/// particle gets no less than keeps that of a regular mesh. => model. Returns the factors of lay_sheet.
+/// Makes the elastic particles those of a sheet, and fibres strips of muscle. What the tissue has for a
+/// particle or a fibre of a mesh of fineness n is taken back to the 113-particle mesh, and counts for the
+/// area or the width there. Mass serves the stability of the step only, so a stiffer particle is heavier. =>
+/// model. Returns the factors of lay_sheet.
 std::vector<double> make_sheet(const TrunkMesh& m, const Tissue& tissue, Model& model) {
   const double finer = m.fineness * m.fineness;
   for (double& weight : model.shape_memory.stiffness_weight) weight /= finer;
@@ -116,8 +116,10 @@ std::vector<double> make_sheet(const TrunkMesh& m, const Tissue& tissue, Model& 
     model.mass[i] = std::max(model.mass[i], tissue.particle_mass * factor[i] / (finer * finer));
     model.damping_weight[i] *= finer * area[i] / sheet_area;
   }
-  const std::vector<double> width = relative_widths(m);
-  for (std::size_t line = 0; line < width.size(); ++line) model.fibres[line].activity *= width[line];
+  constexpr double usual_width = 0.070;  // m, of a strip of the 113-particle template
+  const std::vector<double> width = muscle_widths(m);
+  for (std::size_t line = 0; line < width.size(); ++line)
+    model.fibres[line].activity *= m.fineness * width[line] / usual_width;
   return factor;
 }
 
@@ -175,6 +177,10 @@ TrunkMesh::Given healthy_tissue(const TrunkMesh& m, const Tissue& tissue) {
 Trunk make_trunk(const TrunkMesh& mesh, const Tissue& tissue, Reaction reaction,
                  const std::vector<RigidPart>& parts) {
   require_possible(tissue);
+  if (tissue.elasticity == ElasticLaw::sheet && reaction == Reaction::published)
+    throw InputError({}, "the published reaction is shared equally, and a sheet shares it by weights",
+                     "the reaction \"variational\" with the elasticity \"sheet\"",
+                     "set tissue.reaction or tissue.elasticity");
   require_anatomy(mesh);
   const int particles = static_cast<int>(mesh.rest.size());
   const Surface abdomen("abdomen", mesh.abdomen, particles);

@@ -155,7 +155,8 @@ void calc_four_rings(const ShapeMemory& memory, const RingTable::Group& group, i
   if constexpr (weighted) {
     const double* extra = of_ring(memory.extra_weight, memory.rings, first);
     frame.centre += shift_of_mean<Four>(neighbours, [&](std::size_t j) {
-      return Four(Four::Register{extra[j], extra[Valence + j], extra[2 * Valence + j], extra[3 * Valence + j]});
+      return Four(
+          Four::Register{extra[j], extra[Valence + j], extra[2 * Valence + j], extra[3 * Valence + j]});
     });
   }
   const RingForces<Four> found = ring_forces<reaction, Four>(
@@ -196,9 +197,8 @@ void calc_rings(const ShapeMemory& memory, const RingTable::Group& group, std::s
 
 /// Adds up the forces of the rings on each particle. On a closed surface, the rings that react on a particle
 /// are those of its own neighbours, and in the ring of neighbour j it stands between j + 1 and j - 1. The sum
-/// of (N_(j-1) - N_(j+1)) x tilt_j is thus how twice the area of its own ring grows with the tilts. A neighbour
-/// with an extra weight takes that share of the force more.
-/// (position, reactions) => force
+/// of (N_(j-1) - N_(j+1)) x tilt_j is thus how twice the area of its own ring grows with the tilts. A
+/// neighbour with an extra weight takes that share of the force more. (position, reactions) => force
 template <Reaction reaction, bool weighted, Scalar S>
 void add_ring_forces(const ShapeMemory& memory, std::span<const Vec3<S>> position,
                      const RingReactions<S>& reactions, std::span<Vec3<S>> force) noexcept {
@@ -263,7 +263,8 @@ ShapeMemory make_shape_memory(const Surface& surface, std::span<const Vec3d> res
 /// [as memory.rings.neighbour], those of a ring sum to 1; rest: [particles] m. => memory
 void weigh_neighbours(std::span<const double> weights, std::span<const Vec3d> rest, ShapeMemory& memory);
 
-/// Returns the place T to which a ring draws its particle, m. ring: the row in memory.rings, and its neighbours
+/// Returns the place T to which a ring draws its particle, m. ring: the row in memory.rings, and its
+/// neighbours
 Vec3d target_of(const ShapeMemory& memory, std::size_t ring, std::span<const Neighbour> neighbours,
                 std::span<const Vec3d> position);
 

@@ -27,8 +27,9 @@ struct ShapeMemory {
   std::vector<double> abdominal_share;   // [rings] 0 to 1: how much the abdominal stiffness factor applies
   /// How much more than 1/m each neighbour weighs in the centre G of its ring; empty: all weigh 1/m. With
   /// weights, the reaction is variational.
-  std::vector<double> extra_weight;    // [as rings.neighbour]
-  std::vector<double> extra_received;  // [as receiving.neighbour] that of the particle in its neighbour's ring
+  std::vector<double> extra_weight;  // [as rings.neighbour]
+  std::vector<double>
+      extra_received;  // [as receiving.neighbour] that of the particle in its neighbour's ring
 };
 
 /// A muscle fibre: an actuator of zero rest length between two particles. Its stiffness is A(t) k_muscle

@@ -74,8 +74,7 @@ std::vector<double> ring_weights(std::span<const Vec3d> offset, const Vec3d& nor
   Eigen::VectorXd wanted = Eigen::VectorXd::Zero(5);
   wanted[0] = strong;
   const Eigen::VectorXd bound = Eigen::VectorXd::Constant(count, least * even);
-  const Eigen::MatrixXd H =
-      rows.transpose() * rows + weak * weak * Eigen::MatrixXd::Identity(count, count);
+  const Eigen::MatrixXd H = rows.transpose() * rows + weak * weak * Eigen::MatrixXd::Identity(count, count);
   const Eigen::VectorXd g =
       rows.transpose() * wanted + Eigen::VectorXd::Constant(count, weak * weak * even) - H * bound;
   const Eigen::VectorXd w = bound + bounded_minimum(H, g);

@@ -13,8 +13,8 @@ namespace {
 /// The part of a ring that lies beside a clamped area.
 struct FreeSide {
   std::vector<std::size_t> particles;  // in ring order
-  Vec3d normal, inward;        // unit vectors: of its surface, and from the border into it
-  double area = 0.0;           // m2, the particle's share of the triangles that can bend
+  Vec3d normal, inward;                // unit vectors: of its surface, and from the border into it
+  double area = 0.0;                   // m2, the particle's share of the triangles that can bend
 };
 
 Vec3d unit(const Vec3d& a) {
@@ -26,7 +26,7 @@ Vec3d unit(const Vec3d& a) {
 FreeSide free_side(std::size_t vertex, std::span<const Neighbour> ring, std::span<const Vec3d> rest,
                    const std::vector<bool>& clamped) {
   const std::size_t m = ring.size();
-  const auto at = [&](std::size_t j) { return ring[j % m].in(rest) - rest[vertex]; };
+  const auto at = [&](std::size_t j) { return ring[j % m].in(rest)-rest[vertex]; };
   const auto held = [&](std::size_t j) { return clamped[static_cast<std::size_t>(ring[j % m].particle())]; };
   FreeSide side;
   std::size_t begins = 0, sides = 0;
@@ -59,7 +59,7 @@ std::vector<double> lay_sheet(std::span<const Triangle> triangles, std::span<con
   std::vector<double> factor(rest.size(), 1.0), weights;
   for_each_ring(memory.rings, [&](std::size_t row, std::size_t vertex, auto ring) {
     std::vector<Vec3d> offset;
-    for (const Neighbour n : ring) offset.push_back(n.in(rest) - rest[vertex]);
+    for (const Neighbour n : ring) offset.push_back(n.in(rest)-rest[vertex]);
     const std::vector<double> of_ring = ring_weights(offset, unit(twice_area<double>(offset)));
     double square = 0.0;
     for (std::size_t j = 0; j < offset.size(); ++j) square += of_ring[j] * dot(offset[j], offset[j]);

@@ -126,5 +126,5 @@ class Tissue:
         self.damping = np.where(on_sheet, self.damping * n**2 * area / AREA, self.damping)
         insertions = rest[:, anatomy.muscle_lines[:, 0]]
         step = np.linalg.norm(np.roll(insertions, -1, axis=1) - insertions, axis=0)
-        width = step + np.roll(step, 1)
-        self.fibres = self.fibres * width / width.mean()
+        width = 0.5 * (step + np.roll(step, 1))
+        self.fibres = self.fibres * n * width / 0.070

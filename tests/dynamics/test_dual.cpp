@@ -121,21 +121,22 @@ TEST_CASE("Derivatives pass through the breaths before", "[property][dynamics][s
 }
 
 TEST_CASE("Derivatives pass through loads, friction, moving ribs and free bodies", "[property][dynamics]") {
-  const Scenario scenario = laden("healthy");
-  const Trunk trunk = make_trunk(scenario);
-  const Trial<double> trial{scenario.parameters, scenario.activation};
-  const TimeGrid grid{1e-3, 0.2};
-  const auto directions = relative_directions(trial);
-  const VolumeDerivatives exact = simulate_volume_derivatives(trunk, trial, directions, grid);
-  REQUIRE(exact.curve.ending.completed());
-  const double h = 1e-6;
-  for (std::size_t n : {0u, 1u, 2u, 3u}) {
-    const auto volume = [&](double by) {
-      const Trial<double> t = moved(trial, directions[n], by);
-      return simulate_volume(trunk, t.parameters, t.activation, grid).delta_v.back();
-    };
-    CAPTURE(names[n]);
-    CHECK(exact.along[n].back() == Approx((volume(h) - volume(-h)) / (2 * h)).epsilon(1e-3));
+  for (const Scenario& scenario : {laden("healthy"), on_sheet(laden("healthy"))}) {
+    const Trunk trunk = make_trunk(scenario);
+    const Trial<double> trial{scenario.parameters, scenario.activation};
+    const TimeGrid grid{1e-3, 0.2};
+    const auto directions = relative_directions(trial);
+    const VolumeDerivatives exact = simulate_volume_derivatives(trunk, trial, directions, grid);
+    REQUIRE(exact.curve.ending.completed());
+    const double h = 1e-6;
+    for (std::size_t n : {0u, 1u, 2u, 3u}) {
+      const auto volume = [&](double by) {
+        const Trial<double> t = moved(trial, directions[n], by);
+        return simulate_volume(trunk, t.parameters, t.activation, grid).delta_v.back();
+      };
+      CAPTURE(names[n]);
+      CHECK(exact.along[n].back() == Approx((volume(h) - volume(-h)) / (2 * h)).epsilon(1e-3));
+    }
   }
 }
 
@@ -157,41 +158,44 @@ TEST_CASE("A step of duals allocates nothing", "[property][dynamics]") {
 }
 
 TEST_CASE("Every instruction set gives the same bits", "[property][dynamics]") {
-  const Scenario scenario = laden("hemiparalysis_right");
-  const Model model = make_trunk(scenario).model;
-  const TimeGrid grid{1e-3, 0.15};
-  std::vector<Trial<double>> trials(8, {scenario.parameters, scenario.activation});
-  for (std::size_t i = 0; i < trials.size(); ++i) trials[i].parameters.muscle *= 1.0 + static_cast<double>(i);
-  const auto directions = relative_directions(trials[0]);
-  VolumeCurve first;
-  std::vector<double> first_derivative;
-  CHECK(kernels().front()->lanes == 2);
-  for (const Kernel* k : kernels()) {
-    INFO(k->instruction_set);
-    const auto lanes = static_cast<std::size_t>(k->lanes), tangents = static_cast<std::size_t>(k->tangents);
-    std::vector<VolumeCurve> together(lanes);
-    k->volume_curves(model, std::span(trials).first(lanes), grid, together);
-    for (std::size_t i = 0; i < lanes; ++i) {
-      VolumeCurve alone;
-      k->volume_curve(model, std::span(trials).subspan(i, 1), grid, {&alone, 1});
-      REQUIRE(alone.ending.completed());
-      CHECK(alone.delta_v == together[i].delta_v);
+  for (const Scenario& scenario : {laden("hemiparalysis_right"), on_sheet(laden("hemiparalysis_right"))}) {
+    const Model model = make_trunk(scenario).model;
+    const TimeGrid grid{1e-3, 0.15};
+    std::vector<Trial<double>> trials(8, {scenario.parameters, scenario.activation});
+    for (std::size_t i = 0; i < trials.size(); ++i)
+      trials[i].parameters.muscle *= 1.0 + static_cast<double>(i);
+    const auto directions = relative_directions(trials[0]);
+    VolumeCurve first;
+    std::vector<double> first_derivative;
+    CHECK(kernels().front()->lanes == 2);
+    for (const Kernel* k : kernels()) {
+      INFO(k->instruction_set);
+      const auto lanes = static_cast<std::size_t>(k->lanes), tangents = static_cast<std::size_t>(k->tangents);
+      std::vector<VolumeCurve> together(lanes);
+      k->volume_curves(model, std::span(trials).first(lanes), grid, together);
+      for (std::size_t i = 0; i < lanes; ++i) {
+        VolumeCurve alone;
+        k->volume_curve(model, std::span(trials).subspan(i, 1), grid, {&alone, 1});
+        REQUIRE(alone.ending.completed());
+        CHECK(alone.delta_v == together[i].delta_v);
+      }
+      VolumeCurve curve;
+      std::vector<std::vector<double>> derivatives(tangents);
+      k->volume_derivatives(model, trials[0], std::span(directions).first(tangents), grid, curve,
+                            derivatives);
+      CHECK(curve.delta_v == together[0].delta_v);
+      if (k == kernels().front()) {
+        first = together[0];
+        first_derivative = derivatives[1];
+      }
+      CHECK(together[0].delta_v == first.delta_v);
+      CHECK(derivatives[1] == first_derivative);
     }
-    VolumeCurve curve;
-    std::vector<std::vector<double>> derivatives(tangents);
-    k->volume_derivatives(model, trials[0], std::span(directions).first(tangents), grid, curve, derivatives);
-    CHECK(curve.delta_v == together[0].delta_v);
-    if (k == kernels().front()) {
-      first = together[0];
-      first_derivative = derivatives[1];
-    }
-    CHECK(together[0].delta_v == first.delta_v);
-    CHECK(derivatives[1] == first_derivative);
+    const VolumeCurve here = [&] {  // as compiled for this test
+      VolumeCurve curve;
+      calc_volume_curves<double>(model, std::span(trials).first(1), grid, {&curve, 1});
+      return curve;
+    }();
+    CHECK(here.delta_v == first.delta_v);
   }
-  const VolumeCurve here = [&] {  // as compiled for this test
-    VolumeCurve curve;
-    calc_volume_curves<double>(model, std::span(trials).first(1), grid, {&curve, 1});
-    return curve;
-  }();
-  CHECK(here.delta_v == first.delta_v);
 }

@@ -102,8 +102,8 @@ TEST_CASE("Every lane has the bits of its trial alone", "[property][dynamics]") 
     INFO(name);
     check_lanes(make_trunk(scenario).model, four_trials(scenario), {1e-3, 0.4});
   }
-  const Scenario scenario = laden("healthy");
-  check_lanes(make_trunk(scenario).model, four_trials(scenario), {1e-3, 0.2});
+  for (const Scenario& scenario : {laden("healthy"), on_sheet(laden("healthy"))})
+    check_lanes(make_trunk(scenario).model, four_trials(scenario), {1e-3, 0.2});
 }
 
 TEST_CASE("Lanes that begin at different times have the bits of their trials alone", "[property][dynamics]") {
@@ -218,7 +218,7 @@ TEST_CASE("When all lanes have failed the simulation stops", "[unit][dynamics]")
 }
 
 TEST_CASE("A step of lanes allocates nothing", "[property][dynamics]") {
-  const Scenario scenario = laden("healthy");
+  const Scenario scenario = on_sheet(laden("healthy"));
   const Model model = make_trunk(scenario).model;
   const Trial<Four> trial = in_lanes<Four>(four_trials(scenario));
   State<Four> state = rest_state<Four>(model);

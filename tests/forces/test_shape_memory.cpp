@@ -36,6 +36,17 @@ std::vector<double> uneven(std::size_t n, Random& random) {
   return stiffness;
 }
 
+/// Weights of the neighbours in the centres of their rings.
+std::vector<double> uneven_weights(const ShapeMemory& memory, Random& random) {
+  std::vector<double> weights;
+  for_each_ring(memory.rings, [&](std::size_t, std::size_t, auto ring) {
+    double sum = 0.0;
+    for (std::size_t j = 0; j < ring.size(); ++j) sum += weights.emplace_back(random.between(0.1, 1.0));
+    for (std::size_t j = weights.size() - ring.size(); j < weights.size(); ++j) weights[j] /= sum;
+  });
+  return weights;
+}
+
 std::vector<Body> bodies(Reaction reaction, Random& random) {
   std::vector<Body> all;
   for (const Mesh& mesh : closed_meshes()) {
@@ -50,6 +61,13 @@ std::vector<Body> bodies(Reaction reaction, Random& random) {
   const ShapeMemory memory = make_shape_memory(abdomen, trunk.model.rest, one, none, reaction);
   all.push_back({"trunk", memory, uneven(memory.rings.size(), random), trunk.model.rest,
                  deformed(trunk.model.rest, 0.01, random)});
+  if (reaction == Reaction::variational)
+    for (std::size_t i = 0, count = all.size(); i < count; ++i) {
+      Body weighted = all[i];
+      weighted.name += ", weighted";
+      weigh_neighbours(uneven_weights(weighted.memory, random), weighted.rest, weighted.memory);
+      all.push_back(std::move(weighted));
+    }
   return all;
 }
 
@@ -129,6 +147,22 @@ TEST_CASE("The published reaction sums to zero but leaves a torque", "[property]
     CAPTURE(body.name, net_torque);
     CHECK(norm(total(force)) / scale < 1e-14);
     CHECK(net_torque > 1e-5);  // nine orders above round-off
+  }
+}
+
+TEST_CASE("Equal weights give the bits of no weights", "[unit][forces]") {
+  Random random(28);
+  for (Body& body : bodies(Reaction::variational, random)) {
+    if (!body.memory.extra_weight.empty()) continue;
+    const std::vector<Vec3d> before = body.forces();
+    std::vector<double> equal;
+    for_each_ring(body.memory.rings, [&](std::size_t, std::size_t, auto ring) {
+      equal.insert(equal.end(), ring.size(), 1.0 / static_cast<double>(ring.size()));
+    });
+    weigh_neighbours(equal, body.rest, body.memory);
+    INFO(body.name);
+    REQUIRE(body.memory.extra_weight.size() == equal.size());
+    CHECK(largest(difference(body.forces(), before)) == 0.0);
   }
 }
 

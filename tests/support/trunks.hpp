@@ -45,6 +45,12 @@ inline Scenario laden(const std::string& name) {
   return scenario;
 }
 
+/// The same trunk as a sheet.
+inline Scenario on_sheet(Scenario scenario) {
+  scenario.tissue.elasticity = ElasticLaw::sheet;
+  return scenario;
+}
+
 /// The breath of a shipped scenario, no frames kept.
 inline BreathRun breath_of(const std::string& name) {
   const Scenario scenario = shipped(name);
