@@ -14,7 +14,8 @@ namespace {
 constexpr hsize_t chunk_bytes = hsize_t{1} << 20;  // the default chunk cache holds one such chunk
 constexpr hsize_t frames_per_chunk = 64;
 constexpr hsize_t bytes_at_once = hsize_t{32} << 20;
-constexpr std::size_t largest_compact = 60000;  // HDF5: an object header message has less than 64 KiB
+constexpr std::size_t text_reference_bytes = 16;  // HDF5: length, address and index of a text in its heap
+constexpr std::size_t largest_compact = 60000;    // HDF5: an object header message has less than 64 KiB
 
 void check_name(const std::string& name) {
   if (name.empty() || name == "." || name.find('/') != std::string::npos) {
@@ -93,8 +94,8 @@ Dataset write_shape(hid_t group, const Label& label, std::span<const Value> valu
   }
   const Packed<Value> packed(values);
   constexpr bool is_text = std::is_same_v<Value, std::string>;
-  const Properties properties = is_text ? unfiltered(values.size() * H5Tget_size(packed.file_type()))
-                                        : filtered(shape, packed.value_bytes());
+  const Properties properties =
+      is_text ? unfiltered(values.size() * text_reference_bytes) : filtered(shape, packed.value_bytes());
   const Space space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), doing);
   Dataset dataset(
       H5Dcreate2(group, label.name.c_str(), packed.file_type(), space, H5P_DEFAULT, properties, H5P_DEFAULT),
