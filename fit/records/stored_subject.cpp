@@ -23,11 +23,12 @@ std::vector<Candidate> candidates_of(const FitRecord::Draws& draws, const Candid
 }  // namespace
 
 StoredSubject read_stored_subject(const std::filesystem::path& path) {
-  StoredSubject subject{read_parameters(path), std::nullopt, {}};
+  StoredSubject subject{read_parameters(path), std::nullopt, {}, {}};
   if (kind_of(path) != "fit") return subject;
   const RunInputs inputs = read_run_inputs(path);
   subject.own = scenario_of_text(inputs.scenario_toml, path.string(), inputs.trunk_pml);
   const Scenario& own = subject.own->scenario;
+  subject.gates = read_gates(path);
   subject.draws = candidates_of(read_draws(path), {own.parameters, own.activation});
   return subject;
 }

@@ -12,8 +12,9 @@ namespace trunk {
 /// A subject as a fit or a run left it.
 struct StoredSubject {
   std::vector<NamedValue> parameters;
-  std::optional<ScenarioFile> own;  // of a fit: how the subject breathes, in the scenario of the fit
-  std::vector<Candidate> draws;     // of a fit; none in a file of version 1
+  std::optional<ScenarioFile> own;     // of a fit: how the subject breathes, in the scenario of the fit
+  std::vector<Candidate> draws;        // of a fit; none in a file of version 1
+  std::vector<FitRecord::Gate> gates;  // of a fit: why it withholds what a muscle and a recoil explain
 };
 
 /// Reads a subject; throws InputError if the file holds neither a fit nor a run.

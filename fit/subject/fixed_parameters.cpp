@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "results/read/read_records.hpp"
 #include "results/read/stored_run.hpp"
 
 namespace trunk {
@@ -13,11 +14,17 @@ namespace {
 /// The value of a parameter in a result file. An error of the file names the option as well.
 double stored_value(const std::filesystem::path& source, const std::string& name, const Place& option) {
   std::vector<NamedValue> parameters;
+  std::vector<FitRecord::Gate> gates;
   try {
     parameters = read_parameters(source);
+    gates = read_gates(source);
   } catch (const InputError& error) {
     rethrow_named_in(option, error);
   }
+  if (!gates.empty())
+    throw InputError(option,
+                     fmt::format("{} withholds {}: {}", source.string(), name, gates.front().sentence),
+                     "a fit that no gate stops", "give the value as a number");
   for (const NamedValue& v : parameters)
     if (v.name == name) return v.value;
   throw InputError(option, fmt::format("{} holds no value of {}", source.string(), name),

@@ -32,7 +32,9 @@ TEST_CASE("A parameter is fixed at a number", "[unit]") {
 TEST_CASE("A parameter is fixed at its value in a result file", "[unit]") {
   const TemporaryFolder folder;
   const std::string file = (folder / "fit.h5").string();
-  write_fit(file, sample_fit());  // k_elasticity 4000, k_muscle 500
+  FitRecord fit = sample_fit();  // k_elasticity 4000, k_muscle 500
+  fit.gates.clear();
+  write_fit(file, fit);
   const FixedParameter fixed = fixed_parameter("k_muscle=@" + file);
   CHECK(fixed.value == 500.0);
   CHECK(fixed.source == file);
@@ -40,6 +42,15 @@ TEST_CASE("A parameter is fixed at its value in a result file", "[unit]") {
   const Mistake absent = mistake_in_fix("damping=@" + file);  // the file has no such parameter
   CHECK(absent.at == Place{"--fix damping=@" + file});
   CHECK(absent.found == file + " holds no value of damping");
+}
+
+TEST_CASE("A fit behind a gate lends no parameter", "[unit]") {
+  const TemporaryFolder folder;
+  const std::string file = (folder / "fit.h5").string();
+  FitRecord fit = sample_fit();
+  fit.gates = {{"machine_driven", "not driven by a muscle?"}};
+  write_fit(file, fit);
+  CHECK(mistake_in_fix("k_muscle=@" + file).found == file + " withholds k_muscle: not driven by a muscle?");
 }
 
 TEST_CASE("A file that cannot be read is named with the option that names it", "[unit]") {

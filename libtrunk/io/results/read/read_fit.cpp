@@ -234,6 +234,14 @@ FitRecord read_fit(const std::filesystem::path& path) {
   return fit;
 }
 
+std::vector<FitRecord::Gate> read_gates(const std::filesystem::path& path) {
+  std::vector<FitRecord::Gate> gates;
+  layout::read_results(path, [&](hid_t root, const std::string& kind) {
+    if (kind == "fit") gates = layout::read_gates_of_fit(root);
+  });
+  return gates;
+}
+
 FitRecord::Draws read_draws(const std::filesystem::path& path) {
   FitRecord::Draws draws;
   layout::read_results(path, [&](hid_t root, const std::string& kind) {

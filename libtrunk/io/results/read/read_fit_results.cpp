@@ -32,7 +32,11 @@ std::vector<Result> read_table(hid_t root, const std::string& group) {
   return results;
 }
 
-std::vector<FitRecord::Gate> read_gates(hid_t root) {
+}  // namespace
+
+std::vector<FitRecord::Gate> layout::read_gates_of_fit(hid_t root) {
+  if (hdf5::read_attribute(root, "schema_version") == "1") return {};
+  if (!hdf5::has_link(hdf5::open_group(root, "results"), "gates")) return {};
   const auto names = hdf5::read_texts(root, "results/gates/name"),
              sentences = hdf5::read_texts(root, "results/gates/sentence");
   if (sentences.size() != names.size()) throw hdf5::Error("results/gates/sentence has the wrong length");
@@ -41,15 +45,13 @@ std::vector<FitRecord::Gate> read_gates(hid_t root) {
   return gates;
 }
 
-}  // namespace
-
 void layout::read_results_of_fit(hid_t root, FitRecord& fit) {
   if (hdf5::read_attribute(root, "schema_version") == "1") return;
   const hdf5::Group results = hdf5::open_group(root, "results");
   fit.input = hdf5::read_attribute_if_any(hdf5::open_group(root, "problem"), "input");
   fit.grade = hdf5::read_attribute(results, "grade");
   fit.results = read_table(root, "results");
-  if (hdf5::has_link(results, "gates")) fit.gates = read_gates(root);
+  fit.gates = read_gates_of_fit(root);
   if (!hdf5::has_link(results, "straight_activation")) return;
   fit.straight = read_table(root, "results/straight_activation");
   for (const NamedValue& number : read_numbers(root, "results/straight_activation"))

@@ -12,6 +12,9 @@ Provenance read_provenance(hid_t group);
 /// Reads only the table of parameters into an empty record.
 void read_estimates(hid_t root, FitRecord& fit);
 
+/// Returns the gates; none in a file of version 1.
+std::vector<FitRecord::Gate> read_gates_of_fit(hid_t root);
+
 /// Reads the results with their grades, the gates, what straight lines give, and the name of the input. A
 /// file of version 1 has none of these, and the record stays as it is.
 void read_results_of_fit(hid_t root, FitRecord& fit);
