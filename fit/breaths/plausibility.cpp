@@ -21,6 +21,8 @@ struct Range {
 
 constexpr Range period_s{0.8, 30, 4};
 constexpr Range tidal_volume_ml{30, 6000, 500};
+constexpr Range infant_volume_ml{3, 30, 15};
+constexpr double infant_period_s = 2;  // longer breaths are slower than 30 a minute
 
 struct Unit {
   std::string_view name, words;
@@ -64,14 +66,15 @@ void check_period(const Trace& trace, double median_period_s) {
                    hint.empty() ? "check the unit of time and that the signal is breathing" : hint);
 }
 
-void check_tidal_volume(const Trace& trace, double median_tidal_volume_m3) {
+void check_tidal_volume(const Trace& trace, double median_tidal_volume_m3, double median_period_s) {
   const double found_ml = median_tidal_volume_m3 * ml_per_m3;
   if (tidal_volume_ml.holds(found_ml)) return;
+  if (infant_volume_ml.holds(found_ml) && median_period_s < infant_period_s) return;
   const bool flow = trace.kind == SignalKind::flow;
   const auto hint = flow ? better_unit(flow_units, "flow", trace.value_unit, found_ml, tidal_volume_ml)
                          : better_unit(volume_units, "volume", trace.value_unit, found_ml, tidal_volume_ml);
   throw InputError({trace.source}, "the median breath has a tidal volume of " + number_text(found_ml) + " ml",
-                   "30 to 6000 ml",
+                   "30 to 6000 ml, or 3 ml and more in breaths under 2 s",
                    hint.empty() ? "check the unit, the calibration and that the signal is breathing" : hint);
 }
 

@@ -182,7 +182,7 @@ Segmentation segment_breaths(const Trace& trace, const BreathSelection& selectio
   const double period = median_of(result.breaths, duration), volume = median_of(result.breaths, tidal_volume);
   check_period(trace, period);
   check_samples(trace, period);
-  if (result.calibrated && !selection.calibrate_tidal_volume_m3) check_tidal_volume(trace, volume);
+  if (result.calibrated && !selection.calibrate_tidal_volume_m3) check_tidal_volume(trace, volume, period);
 
   const auto shifts = shifts_of(marks, found.drift);
   judge(result, shifts, selection);

@@ -13,7 +13,8 @@ namespace {
 constexpr double machine_rise_s = 0.10, quick_rise_s = 0.17, machine_fall_s = 0.095, long_breath_s = 2;
 constexpr double least_size = 0.02, largest_size = 0.8, adult_m3 = 1.5e-3;
 constexpr double most_wander = 0.5;
-constexpr double least_mismatch = 0.02, offset_from = 0.3, no_return = 1.5, error_per_mismatch = 0.22;
+constexpr double least_mismatch = 0.02, offset_from = 0.3, no_return = 1.5;
+constexpr double normal_quantile = 1.96;
 constexpr std::size_t few_breaths = 3;
 constexpr double few_samples = 10, deep_m3 = 2e-3;
 
@@ -61,10 +62,21 @@ std::optional<Gate> not_a_breathing_signal(const TraceSigns& s) {
                           s.gain_mismatch > 0 ? "inspired" : "expired")};
 }
 
+std::optional<Gate> gain_mismatch(const TraceSigns& s) {
+  const double d = std::abs(s.gain_mismatch);
+  if (d < offset_from || d > no_return || !s.mismatch_by_size) return std::nullopt;
+  return Gate{
+      "gain_mismatch",
+      fmt::format("in- and expired volumes differ by {:.0f} %, and the more the deeper a breath is: the "
+                  "flowmeter reads one direction too high; calibrate both directions",
+                  percent(d))};
+}
+
 // Returns the relative standard error of the tidal volume.
-double error_of_mismatch(double d) {
-  const double size = std::abs(d);
-  return size > least_mismatch && size < offset_from ? error_per_mismatch * size : 0;
+double error_of_mismatch(const TraceSigns& s) {
+  const double size = std::abs(s.gain_mismatch);
+  if (size <= least_mismatch || size >= offset_from) return 0;
+  return size * std::max(s.inspired_part, 1 - s.inspired_part) / normal_quantile;
 }
 
 void add_doubts(const TraceSigns& s, bool size_known, std::vector<std::string>& notes) {
@@ -72,7 +84,13 @@ void add_doubts(const TraceSigns& s, bool size_known, std::vector<std::string>& 
     notes.push_back(
         "the shape of the breaths does not show which way is up: check that the signal rises on inspiration, "
         "else use --invert");
-  if (const double d = std::abs(s.gain_mismatch); d >= offset_from && d <= no_return)
+  const double d = std::abs(s.gain_mismatch);
+  if (const double error = error_of_mismatch(s); error > 0)
+    notes.push_back(fmt::format(
+        "in- and expired volumes differ by {:.1f} %, so that the tidal volume is known to {:.1f} %: "
+        "the flowmeter may read one direction too high",
+        percent(d), percent(normal_quantile * error)));
+  if (d >= offset_from && d <= no_return && !s.mismatch_by_size)
     notes.push_back(fmt::format(
         "in- and expired volumes differ by {:.0f} % of a breath: the flow has an offset, or air leaks; "
         "it is removed breath by breath",
@@ -108,9 +126,9 @@ Screening screened(const TraceSigns& signs, std::optional<double> end_expiratory
   for (auto gate :
        {upside_down(signs), machine_driven(signs),
         end_expiratory_m3 ? subject_size(signs.tidal_volume_m3, *end_expiratory_m3) : std::nullopt,
-        wander(signs), not_a_breathing_signal(signs)})
+        gain_mismatch(signs), wander(signs), not_a_breathing_signal(signs)})
     if (gate) screening.gates.push_back(std::move(*gate));
-  screening.tidal_volume_error = error_of_mismatch(signs.gain_mismatch);
+  screening.tidal_volume_error = error_of_mismatch(signs);
   add_doubts(signs, end_expiratory_m3.has_value(), screening.notes);
   return screening;
 }

@@ -12,7 +12,8 @@ namespace trunk {
 /// Why a recording must not be fitted as it is: muscle against recoil, the recoil time constant and stiffness
 /// in N/m are withheld.
 struct Gate {
-  std::string name;  ///< for files: upside_down, machine_driven, subject_size, wander, not_a_breathing_signal
+  std::string name;      ///< for files: upside_down, machine_driven, gain_mismatch, subject_size, wander,
+                         ///< not_a_breathing_signal
   std::string sentence;  ///< what is wrong and what to do
 };
 
@@ -36,9 +37,14 @@ struct Screening {
 /// * not_a_breathing_signal: in- and expired volume differ by more than 1.5 of their mean, as of a flow that
 ///   has lost its sign and of a volume that counts up.
 ///
-/// A gain mismatch d of in- and expired volume is no gate. For 0.02 < |d| < 0.3 the relative error of the
-/// tidal volume is 0.22 |d|. A larger one is an offset of the flow, which is removed breath by breath; a note
-/// says so. The limits are our choice: they separate the recordings and the constructed breaths of
+/// * gain_mismatch: they differ by a share d from 0.3 on, and the difference grows with the size of a breath
+///   and not with its duration, as when a flowmeter reads one direction too high.
+///
+/// For 0.02 < |d| < 0.3 either volume may be the true one, and each breath is in between after its drift is
+/// removed: the share of inspiration in time, or of expiration, of d away. The larger of the two is taken as
+/// a 95 % limit of the tidal volume's relative error; a note says so. A larger d that grows with the duration
+/// of a breath is an offset of the flow. It is removed breath by breath and does no harm; a note says so. The
+/// limits are our choice: they separate the recordings and the constructed breaths of
 /// tests/fit/gates.
 Screening screened(const TraceSigns& signs, std::optional<double> end_expiratory_m3);
 Screening screened(const Segmentation& segmentation, std::optional<double> end_expiratory_m3);

@@ -30,6 +30,25 @@ double wander_m3(const KnotLine& rest) {
   return median(std::move(deviations));
 }
 
+// Returns whether in- less expired volume is a share of each breath's volume rather than one flow in all:
+// what is left of it is less than half as large.
+bool grows_with_size(const std::vector<Breath>& breaths) {
+  constexpr std::size_t fewest = 5;
+  if (breaths.size() < fewest) return false;
+  const auto left = [&](auto of) {
+    double products = 0, squares = 0, rest = 0;
+    for (const Breath& b : breaths)
+      products += of(b) * (b.inspired_m3 - b.expired_m3), squares += of(b) * of(b);
+    for (const Breath& b : breaths) {
+      const double apart = b.inspired_m3 - b.expired_m3 - products / squares * of(b);
+      rest += apart * apart;
+    }
+    return rest;
+  };
+  return left([](const Breath& b) { return b.inspired_m3 + b.expired_m3; }) <
+         0.5 * left([](const Breath& b) { return b.duration_s(); });
+}
+
 }  // namespace
 
 TraceSigns trace_signs(const Segmentation& s) {
@@ -39,8 +58,11 @@ TraceSigns trace_signs(const Segmentation& s) {
   signs.gain_mismatch = median_of(breaths, [](const Breath& b) {
     return 2 * (b.inspired_m3 - b.expired_m3) / (b.inspired_m3 + b.expired_m3);
   });
+  signs.mismatch_by_size = grows_with_size(breaths);
   signs.tidal_volume_m3 = median_of(breaths, [](const Breath& b) { return b.tidal_volume_m3; });
   signs.inspiration_s = median_of(breaths, [](const Breath& b) { return b.inspiration_s(); });
+  signs.inspired_part =
+      median_of(breaths, [](const Breath& b) { return b.inspiration_s() / b.duration_s(); });
   signs.wander = wander_m3(s.rest) / signs.tidal_volume_m3;
   signs.step_s = (s.time_s.back() - s.time_s.front()) / static_cast<double>(s.time_s.size() - 1);
   signs.breaths = static_cast<std::size_t>(

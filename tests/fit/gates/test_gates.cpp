@@ -103,12 +103,16 @@ TEST_CASE("Every limit of a gate separates", "[unit][gates]") {
     signs.gain_mismatch = GENERATE(-0.019, 0.019);
     CHECK(screened(signs, adult_m3).tidal_volume_error == 0);
     signs.gain_mismatch *= 10;
-    CHECK(screened(signs, adult_m3).tidal_volume_error == Approx(0.22 * 0.19));
+    // If inspiration reads too high, the breath is too large by the part of expiration in time.
+    CHECK(screened(signs, adult_m3).tidal_volume_error == Approx(0.19 * 0.6 / 1.96));
+    CHECK_THAT(screened(signs, adult_m3).notes.at(0), Contains("differ by 19.0 %") && Contains("to 11.4 %"));
     CHECK(only_gate(signs) == "0 gates");
     signs.gain_mismatch *= 2;
     CHECK(screened(signs, adult_m3).tidal_volume_error == 0);
     CHECK_THAT(screened(signs, adult_m3).notes.at(0), Contains("offset"));
     CHECK(only_gate(signs) == "0 gates");
+    signs.mismatch_by_size = true;
+    CHECK(only_gate(signs) == "gain_mismatch");
     signs.gain_mismatch *= 5;
     CHECK(only_gate(signs) == "not_a_breathing_signal");
   }
