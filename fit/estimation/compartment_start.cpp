@@ -58,7 +58,8 @@ Candidate with_recoil(Candidate begin, const CompartmentFit& fit) {
   const double before = begin.parameters.elasticity;
   begin.parameters.elasticity =
       std::clamp(fit.compartment.relaxation * begin.parameters.damping / recoil_s, p.lower, p.upper);
-  begin.parameters.muscle *= begin.parameters.elasticity / before;
+  if (std::count(fit.names.begin(), fit.names.end(), "k_muscle") > 0)  // else it is held
+    begin.parameters.muscle *= begin.parameters.elasticity / before;
   return begin;
 }
 

@@ -17,11 +17,12 @@ struct EnergyLaw {
   static constexpr double usual_share = 0.40, log_deviation = 0.42;
 };
 
-/// The shares between which f lies with a probability of 95 %: the narrowest such interval of ln f, 0.184 to
-/// 0.871. It is symmetric about ln 0.40, though f ends at 1.
+/// The shares between which f lies with a probability of 95 %.
 struct ShareLimits {
   double low, high;
 };
+/// Returns the narrowest such interval of ln f if nothing but the law is known, 0.184 to 0.871. It is
+/// symmetric about ln 0.40, though f ends at 1.
 ShareLimits share_limits95();
 
 /// Returns f at a time constant tau > 0 s. It may exceed 1, which no passive recoil can do.
@@ -38,19 +39,5 @@ struct EnergyResidual {
 
 /// Returns z = (ln f(tau) - ln 0.40) / 0.42 and its slope by ln tau.
 EnergyResidual energy_residual(const ExpiredEnergy& energy, double log_recoil_s);
-
-/// The recoil time constant that the law gives.
-struct RecoilTime {
-  double lower95_s = 0, median_s = 0, upper95_s = 0;  ///< infinite where there is no limit
-  double log_error = 0;         ///< standard error of ln tau by the spread of the breaths; part of the limits
-  double late_share = 0;        ///< q Te / VT: how far the end of expiration is from rest
-  bool has_upper_limit = true;  ///< false if D <= q VT: the flow does not fade, so f = 1 has no tau
-};
-
-/// Returns the recoil time constant and its 95 % interval. The limits are tau at share_limits95(), widened by
-/// the spread of the breaths: the jackknife's standard error of ln tau, times t of B - 1 degrees of freedom,
-/// is added to either half-width as the root of the sum of squares. One or two breaths show no spread; it
-/// then counts as none.
-RecoilTime recoil_time(const MeasuredBreath& breath);
 
 }  // namespace trunk

@@ -8,7 +8,7 @@
 #include "dynamics/recoil.hpp"
 #include "dynamics/stability.hpp"
 #include "estimation/start.hpp"
-#include "expiration/energy_law.hpp"
+#include "expiration/recoil_time.hpp"
 #include "records/provenance.hpp"
 #include "scenarios/build_trunk.hpp"
 #include "subject/fixed_parameters.hpp"

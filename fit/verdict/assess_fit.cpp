@@ -43,6 +43,7 @@ class Assessment {
       add_one_number();
     }
     withhold();
+    distrust();
     results_.grade = worst();
     results_.verdict = verdict_sentence(results_, in_);
     return std::move(results_);
@@ -66,11 +67,33 @@ class Assessment {
   }
 
   void find_ends(Eigen::Index held) {
-    recoil_ = recoil_time(*in_.breath);
+    recoil_ = recoil_time(*in_.breath, beside_energy(held));
     covariance_ = covariance_with_held(*e_.local, held);
     low_ = fitted_at(recoil_->lower95_s, held);
     high_ =
         fitted_at(std::isfinite(recoil_->upper95_s) ? recoil_->upper95_s : 3.0 * recoil_->lower95_s, held);
+  }
+
+  /// Returns what the priors that were given, and a muscle that is held, say of the recoil time beside the
+  /// energy. Without them the activation fits every recoil time, and how it is expected to bend is no
+  /// evidence.
+  RecoilDeviance beside_energy(Eigen::Index held) const {
+    bool given = !space_.find("k_muscle");
+    for (std::size_t i = 0; i < space_.size(); ++i) given |= space_.given_deviation(i) > 0.0;
+    RecoilDeviance known;
+    if (!given) return known;
+    const double best = std::log(p_.compartment.recoil_time_s(best_.parameters));
+    for (const double away :
+         {-2.0, -1.3, -0.8, -0.4, -0.2, -0.1, -0.05, 0.0, 0.05, 0.1, 0.2, 0.4, 0.8, 1.3, 2.0}) {
+      const Candidate there = fitted_at(std::exp(best + away), held);
+      known.log_recoil_s.push_back(std::log(p_.compartment.recoil_time_s(there.parameters)));
+      known.deviance.push_back(deviance_at(there));
+      const auto n = known.log_recoil_s.size();
+      if (n < 2 || known.log_recoil_s[n - 1] > known.log_recoil_s[n - 2] + 1e-3) continue;
+      known.log_recoil_s.pop_back();  // a bound stopped it
+      known.deviance.pop_back();
+    }
+    return known.log_recoil_s.size() < 3 ? RecoilDeviance{} : known;
   }
 
   /// Returns how all else follows the recoil time, with refits at both ends and halfway to them; none if
@@ -80,8 +103,11 @@ class Assessment {
     const auto halfway = [&](const Candidate& end) {
       return fitted_at(std::sqrt(time_of(end) * time_of(best_)), held);
     };
-    AlongRecoil along{
-        expired_energy(*in_.breath), recoil_->log_error, std::max(1.0, in_.breath->breaths_used - 1.0), {}};
+    AlongRecoil along{expired_energy(*in_.breath),
+                      SharePosterior(expired_energy(*in_.breath), beside_energy(held)),
+                      recoil_->log_error,
+                      std::max(1.0, in_.breath->breaths_used - 1.0),
+                      {}};
     for (const Candidate& c : {low_, halfway(low_), best_, halfway(high_), high_}) {
       const double log_time = std::log(time_of(c));
       if (along.refits.empty() || log_time > along.refits.back().first + 0.01)
@@ -89,6 +115,15 @@ class Assessment {
     }
     if (along.refits.size() < 2) return std::nullopt;
     return along;
+  }
+
+  /// Returns -2 log of the likelihood and of the priors, without the energy.
+  double deviance_at(const Candidate& c) const {
+    CompartmentModel model(p_.compartment, p_.grid, p_.measured);
+    model.correct_at(best_, e_.model);
+    Objective objective(model, p_.grid, space_, p_.measured);
+    objective.use_correlation(p_.correlation);
+    return objective.problem().at(space_.encode(c)).objective;
   }
 
   Candidate fitted_at(double recoil_s, Eigen::Index held) const {
@@ -266,12 +301,24 @@ class Assessment {
         }
   }
 
+  /// Whatever the search found, a recording behind a gate determines nothing.
   Grade worst() const {
-    if (!e_.search.converged) return Grade::not_converged;
-    if (e_.cross_check && !e_.cross_check->agree) return Grade::not_converged;
+    if (!results_.gates.empty()) return Grade::not_determined;
+    if (!converged()) return Grade::not_converged;
     Grade grade = Grade::determined;
     for (const std::string& name : results_.headline) grade = std::max(grade, results_.find(name)->grade);
-    return results_.headline.empty() || !results_.gates.empty() ? Grade::not_determined : grade;
+    return results_.headline.empty() ? Grade::not_determined : grade;
+  }
+
+  bool converged() const { return e_.search.converged && !(e_.cross_check && !e_.cross_check->agree); }
+
+  /// No single result is better than the search.
+  void distrust() {
+    if (converged()) return;
+    for (FitResult& r : results_.results) {
+      set_reason(r, results_.gates.empty() ? "the search did not converge" : r.reason);
+      if (results_.gates.empty()) r.grade = Grade::not_converged;
+    }
   }
 
   static constexpr double more_muscle = 1.05;

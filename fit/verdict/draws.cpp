@@ -6,19 +6,11 @@
 #include <cmath>
 
 #include "compartment/compartment_model.hpp"
-#include "expiration/energy_law.hpp"
 #include "linear_algebra/decompositions.hpp"
 #include "search/multistart.hpp"
 
 namespace trunk {
 namespace {
-
-/// Returns the share that has this part of the law below it.
-double share_at(double part) {
-  const double below_one = gsl_cdf_ugaussian_P(-std::log(EnergyLaw::usual_share) / EnergyLaw::log_deviation);
-  return EnergyLaw::usual_share *
-         std::exp(EnergyLaw::log_deviation * gsl_cdf_ugaussian_Pinv(part * below_one));
-}
 
 /// Returns how far the coordinates are from the best point at a recoil time.
 Eigen::VectorXd moved_along(const AlongRecoil& along, const Eigen::VectorXd& best, double log_time) {
@@ -50,7 +42,7 @@ std::vector<Candidate> posterior_draws(const Posterior& p, const SearchSpace& sp
     const double spread = std::sqrt(p.freedom / gsl_cdf_chisq_Pinv(part[n + 2], p.freedom));
     Eigen::VectorXd x = p.x + spread * (root * normal);
     if (p.along) {
-      const double log_time = std::log(recoil_time_s(p.along->energy, share_at(share))) +
+      const double log_time = std::log(recoil_time_s(p.along->energy, p.along->share.share_at(share))) +
                               p.along->log_error * gsl_cdf_tdist_Pinv(part[n + 3], p.along->freedom) +
                               TrunkAsCompartment::log_error * gsl_cdf_ugaussian_Pinv(part[n + 4]);
       x += moved_along(*p.along, p.x, log_time);

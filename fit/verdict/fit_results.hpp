@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "estimation/estimate.hpp"
-#include "expiration/energy_law.hpp"
+#include "expiration/recoil_time.hpp"
 #include "gates/gates.hpp"
 #include "verdict/draws.hpp"
 

@@ -59,10 +59,13 @@ std::string value_text(const FitResult& r) {
 }
 
 std::string verdict_sentence(const FitResults& results, const FitEvidence& evidence) {
-  if (results.grade == Grade::not_converged)
-    return "The search did not end, so no result can be trusted. Other starts (--starts 30) or another "
-           "algorithm may help.";
   if (!results.gates.empty()) return results.gates.front().sentence;
+  if (results.grade == Grade::not_converged) {
+    const bool ended = evidence.estimation.search.converged;
+    return fmt::format(
+        "{}, so no result can be trusted. Other starts (--starts 30) or another algorithm may help.",
+        ended ? "Two methods of search find different results" : "The search did not end");
+  }
   if (evidence.problem.measured.is_tidal_volume())
     return "One tidal volume gives k_muscle for a trunk and an activation as in the scenario, and it does "
            "not "

@@ -1,4 +1,4 @@
-#include "expiration/energy_law.hpp"
+#include "expiration/recoil_time.hpp"
 
 #include <filesystem>
 #include <map>

@@ -76,8 +76,11 @@ TEST_CASE("Draws of the recoil time have the energy law's interval, and all else
   const ShareLimits share = share_limits95();
   const double low = recoil_time_s(energy, share.low), high = recoil_time_s(energy, share.high);
   const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(2, 2);
-  const AlongRecoil along{
-      energy, log_error, 11.0, {at(low / 1.5), at(recoil_time_s(energy, 0.4)), at(high * 1.5)}};
+  const AlongRecoil along{energy,
+                          SharePosterior(energy),
+                          log_error,
+                          11.0,
+                          {at(low / 1.5), at(recoil_time_s(energy, 0.4)), at(high * 1.5)}};
   const auto draws = posterior_draws({best, none, 11.0, 0.0, along}, space, 4000, 7);
   // A share of 1 would need the true time of 0.5 s: the law takes 0.40 of it, 0.20 s.
   const auto time = logs(draws, time_of);
@@ -101,7 +104,8 @@ TEST_CASE("A recoil time without a limit ends a tenth beyond the longest that wa
   ExpiredEnergy energy = passive_breath();
   energy.late_flow_m3_s =
       2.0 * energy.squared_flow / energy.tidal_volume_m3;  // f above 0.5 has no recoil time
-  const AlongRecoil along{energy, 0.0, 11.0, {{std::log(0.125), best}, {std::log(0.25), softer}}};
+  const AlongRecoil along{
+      energy, SharePosterior(energy), 0.0, 11.0, {{std::log(0.125), best}, {std::log(0.25), softer}}};
   const auto draws = posterior_draws({best, Eigen::MatrixXd::Zero(2, 2), 11.0, 0.0, along}, space, 256, 7);
   const auto elasticity = logs(draws, [](const auto& p) { return p.elasticity; });
   CHECK_THAT(*std::min_element(elasticity.begin(), elasticity.end()),
