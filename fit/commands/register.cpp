@@ -26,6 +26,7 @@ LowerBorder lower_border_of(const std::string& word) {
 /// Returns whether the scenario's time step is unstable on this mesh: a finer mesh and thin triangles need
 /// shorter steps.
 bool step_too_long(Scenario scenario, const TrunkMesh& mesh) {
+  scenario.tissue.damping = DampingBy::area;
   scenario.mesh = std::make_shared<const TrunkMesh>(mesh);
   const Trunk trunk = make_trunk(scenario);
   return !scenario.automatic_step &&
@@ -41,7 +42,8 @@ std::string subject_toml(const fs::path& scenario, const fs::path& pml, bool sho
       "# Written by `trunk register`. The trunk is the subject's; the parameters are still those of the "
       "scenario it extends:\n"
       "# `trunk fit` finds the subject's own.\n"
-      "schema = \"trunk.scenario/1\"\nextends = {}\ntitle = {}\n\n[geometry]\npml = {}\n{}",
+      "schema = \"trunk.scenario/1\"\nextends = {}\ntitle = {}\n\n[geometry]\npml = {}\n\n"
+      "[tissue]\ndamping = \"area\"  # what the triangles of this mesh are does not change it\n{}",
       quoted(extended.string()), quoted(pml.stem().string()), quoted(pml.filename().string()),
       shorter_steps ? "\n[time]\ndt_ms = \"auto\"  # the scenario's is unstable on this mesh\n" : "");
 }

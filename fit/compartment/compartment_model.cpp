@@ -4,11 +4,16 @@
 
 namespace trunk {
 
-TrunkAsCompartment as_compartment(const Recoil& recoil) {
+TrunkAsCompartment as_compartment(const Recoil& recoil, const std::optional<Pleura>& pleura) {
   constexpr double usual = 25.0, least = 5.0;
   const double factor = recoil.time_factor > least ? recoil.time_factor : usual;
   const double relaxation = TrunkAsCompartment::between * factor;
-  return {relaxation, recoil.gain, recoil.gain, relaxation};
+  return {relaxation,
+          recoil.gain,
+          recoil.gain,
+          relaxation,
+          pleura ? recoil.elastance : 0.0,
+          pleura ? pleura->tube_resistance : 0.0};
 }
 
 std::vector<double> CompartmentModel::plain(const Candidate& c) const {

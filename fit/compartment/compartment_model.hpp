@@ -18,20 +18,52 @@ struct TrunkAsCompartment {
   double gain_m3 = 0.0;     // gain of the compartment = gain * k_muscle / k_elasticity
   double held_m3 = 0.0;     // volume that full activation holds, per k_muscle / k_elasticity
   double relaxation = 0.0;  // recoil time = relaxation * damping / k_elasticity
+  // With a lung, tissue and lung act together (see Recoil); 0 without one.
+  double elastance = 0.0;        // 1/m4, of the tissue, per k_elasticity
+  double tube_resistance = 0.0;  // Pa s/m3
 
-  double time_constant_s(const Parameters<double>& p) const { return recoil * p.damping / p.elasticity; }
+  double time_constant_s(const Parameters<double>& p) const { return with_lung_s(recoil, p); }
   /// Between the two time factors of a trunk, over that with the timing held; and the deviation of this.
   static constexpr double between = 0.96, log_error = 0.023;
-  double recoil_time_s(const Parameters<double>& p) const { return relaxation * p.damping / p.elasticity; }
+  double recoil_time_s(const Parameters<double>& p) const { return with_lung_s(relaxation, p); }
+  /// Returns the share of the tissue in the elastance of tissue and lung.
+  double tissue_share(const Parameters<double>& p) const {
+    return elastance > 0.0 ? elastance * p.elasticity / (elastance * p.elasticity + p.lung_elastance) : 1.0;
+  }
+  /// Returns the k_elasticity with which a trunk of these parameters has a recoil time; it may be negative.
+  double elasticity_of(double recoil_s, const Parameters<double>& p) const {
+    if (elastance == 0.0) return relaxation * p.damping / recoil_s;
+    const double resistance = elastance * relaxation * p.damping + p.resistance + tube_resistance;
+    return (resistance / recoil_s - p.lung_elastance) / elastance;
+  }
+  /// Returns the trunk that breathes with `p` as this one does with `found`.
+  TrunkAsCompartment moved(const Parameters<double>& found, const Parameters<double>& p) const {
+    TrunkAsCompartment other = *this;
+    other.recoil = recoil * p.elasticity / found.elasticity;
+    other.gain_m3 = gain_m3 * (found.muscle / found.elasticity) / (p.muscle / p.elasticity);
+    if (elastance == 0.0) return other;
+    other.gain_m3 *= tissue_share(found) / tissue_share(p);
+    other.recoil = (time_constant_s(found) * (elastance * p.elasticity + p.lung_elastance) - p.resistance -
+                    tube_resistance) /
+                   (elastance * p.damping);
+    return other;
+  }
   Compartment of(const Parameters<double>& p) const {
-    return {time_constant_s(p), gain_m3 * p.muscle / p.elasticity};
+    return {time_constant_s(p), tissue_share(p) * (gain_m3 * p.muscle / p.elasticity)};
+  }
+
+ private:
+  double with_lung_s(double factor, const Parameters<double>& p) const {
+    if (elastance == 0.0) return factor * p.damping / p.elasticity;
+    return (elastance * factor * p.damping + p.resistance + tube_resistance) /
+           (elastance * p.elasticity + p.lung_elastance);
   }
 };
 
 /// Returns the compartment of a trunk that springs back like this. Some trunks have no recoil time: of one
 /// with a paralysed side the domes sway for longer than the volume lasts, and one that is hardly damped
 /// swings. They get the usual one, and the fit corrects it.
-TrunkAsCompartment as_compartment(const Recoil& recoil);
+TrunkAsCompartment as_compartment(const Recoil& recoil, const std::optional<Pleura>& pleura = {});
 
 /// One compartment that stands in for the trunk. It costs a thousandth of a simulation. What it misses at one
 /// candidate can be added everywhere, since it hardly changes nearby.

@@ -57,7 +57,7 @@ Candidate with_recoil(Candidate begin, const CompartmentFit& fit) {
   const double recoil_s = fit.recoil_s.value_or(usual_recoil_s);
   const double before = begin.parameters.elasticity;
   begin.parameters.elasticity =
-      std::clamp(fit.compartment.relaxation * begin.parameters.damping / recoil_s, p.lower, p.upper);
+      std::clamp(fit.compartment.elasticity_of(recoil_s, begin.parameters), p.lower, p.upper);
   if (std::count(fit.names.begin(), fit.names.end(), "k_muscle") > 0)  // else it is held
     begin.parameters.muscle *= begin.parameters.elasticity / before;
   return begin;

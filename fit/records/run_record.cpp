@@ -22,11 +22,15 @@ std::vector<double> at_steps(const Steps& steps, const std::vector<double>& valu
 
 /// Returns the simulated curves at those steps; `volume` is the name of the volume.
 std::vector<Series> own_series(const BreathRun& run, const Steps& steps, const std::string& volume) {
-  return {
+  std::vector<Series> series = {
       {volume, "ml", "lung volume above end-expiration, simulated", at_steps(steps, run.delta_v, m3_per_ml)},
       {"activation", "1", "muscle activation A(t)", at_steps(steps, run.activation, 1.0)},
       {"abdominal_pressure", "cmH2O", "pressure in the abdominal compartment above rest",
        at_steps(steps, run.pressure_Pa, Pa_per_cmH2O)}};
+  if (!run.pleural_pressure_Pa.empty())
+    series.push_back({"pleural_pressure", "cmH2O", "pleural pressure above rest",
+                      at_steps(steps, run.pleural_pressure_Pa, Pa_per_cmH2O)});
+  return series;
 }
 
 /// Returns volume, activation, pressure, the lengths of Table 1 and the descent of the domes at each frame.
@@ -97,25 +101,43 @@ std::vector<NamedValue> measures_of(const BreathSummary& run) {
   if (!run.ending.completed()) {
     BreathSummary unknown;
     unknown.ending.status = Ending::Status::completed;
+    unknown.swings = run.swings;
     std::vector<NamedValue> values = measures_of(unknown);
     for (NamedValue& v : values) v.value = std::nan("");
     return values;
   }
   const Measures& m = run.measures;
-  return {{"delta_v_ml", "ml", m.delta_v / m3_per_ml},
-          {"delta_v_percent", "percent", 100.0 * m.delta_v / m.end_expiratory_volume},
-          {"end_expiratory_volume_ml", "ml", m.end_expiratory_volume / m3_per_ml},
-          {"end_inspiratory_volume_ml", "ml", m.end_inspiratory_volume / m3_per_ml},
-          {"delta_l_mm", "mm", m.delta_l / m_per_mm},
-          {"delta_l_percent", "percent", 100.0 * m.delta_l_fraction},
-          {"delta_h_mm", "mm", m.delta_h / m_per_mm},
-          {"delta_r_mm", "mm", m.delta_r / m_per_mm},
-          {"excursion_left_mm", "mm", m.excursion_left / m_per_mm},
-          {"excursion_right_mm", "mm", m.excursion_right / m_per_mm},
-          {"max_relative_volume_error", "1", run.max_relative_volume_error},
-          {"flipped_triangles", "1", static_cast<double>(run.flipped_triangles)},
-          {"abdominal_pressure_peak_cmH2O", "cmH2O", run.peak_pressure_Pa / Pa_per_cmH2O},
-          {"end_expiratory_above_relaxation_ml", "ml", run.above_relaxation / m3_per_ml}};
+  std::vector<NamedValue> values = {
+      {"delta_v_ml", "ml", m.delta_v / m3_per_ml},
+      {"delta_v_percent", "percent", 100.0 * m.delta_v / m.end_expiratory_volume},
+      {"end_expiratory_volume_ml", "ml", m.end_expiratory_volume / m3_per_ml},
+      {"end_inspiratory_volume_ml", "ml", m.end_inspiratory_volume / m3_per_ml},
+      {"delta_l_mm", "mm", m.delta_l / m_per_mm},
+      {"delta_l_percent", "percent", 100.0 * m.delta_l_fraction},
+      {"delta_h_mm", "mm", m.delta_h / m_per_mm},
+      {"delta_r_mm", "mm", m.delta_r / m_per_mm},
+      {"excursion_left_mm", "mm", m.excursion_left / m_per_mm},
+      {"excursion_right_mm", "mm", m.excursion_right / m_per_mm},
+      {"max_relative_volume_error", "1", run.max_relative_volume_error},
+      {"flipped_triangles", "1", static_cast<double>(run.flipped_triangles)},
+      {"abdominal_pressure_peak_cmH2O", "cmH2O", run.peak_pressure_Pa / Pa_per_cmH2O},
+      {"end_expiratory_above_relaxation_ml", "ml", run.above_relaxation / m3_per_ml}};
+  if (!run.swings) return values;
+  const auto add = [&](const char* name, const char* unit, double value) {
+    values.push_back({name, unit, value});
+  };
+  add("gastric_swing_cmH2O", "cmH2O", run.swings->gastric_Pa / Pa_per_cmH2O);
+  add("pleural_swing_cmH2O", "cmH2O", run.swings->pleural_Pa / Pa_per_cmH2O);
+  add("transdiaphragmatic_swing_cmH2O", "cmH2O", run.swings->transdiaphragmatic_Pa / Pa_per_cmH2O);
+  add("excursion_right_most_risen_mm", "mm", -run.right_rise / m_per_mm);
+  add("excursion_left_most_risen_mm", "mm", -run.left_rise / m_per_mm);
+  return values;
+}
+
+std::vector<NamedValue> measures_of(const BreathRun& run) {
+  std::vector<NamedValue> values = measures_of(static_cast<const BreathSummary&>(run));
+  if (run.swings) values.push_back({"recoil_time_s", "s", run.recoil_time_s.value_or(std::nan(""))});
+  return values;
 }
 
 std::vector<NamedValue> parameters_of(const Candidate& candidate) {

@@ -9,7 +9,11 @@ namespace trunk {
 
 /// Returns the row of Table 1 and further measures, in ml, mm and cmH2O, named as in `simulate --json`. All
 /// are NaN if the breath did not complete.
+/// Pressures of a lung, and how far the domes rise, come last, and only if there is a lung. Excursions are
+/// positive where a dome descends, so that of the most risen moment is 0 or negative.
 std::vector<NamedValue> measures_of(const BreathSummary& run);
+/// Returns the same and the recoil time, if there is a lung.
+std::vector<NamedValue> measures_of(const BreathRun& run);
 
 /// Returns every parameter that a fit can vary, in natural units.
 std::vector<NamedValue> parameters_of(const Candidate& candidate);

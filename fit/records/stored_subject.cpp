@@ -43,6 +43,8 @@ void breathe_as(const Scenario& subject, Scenario& scenario) {
   scenario.activation = subject.activation;
   scenario.time.duration_s = subject.time.duration_s;
   scenario.time.start = subject.time.start;
+  // Tissue that was fitted without a lung already has the lung's elastance.
+  scenario.lung_acts = subject.lung_acts || !scenario.pleura.airway_pressure.empty();
 }
 
 FitRecord::Draws draws_record(const std::vector<Candidate>& draws) {

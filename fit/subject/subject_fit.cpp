@@ -140,7 +140,7 @@ void SubjectFit::begin_with_compartment(const Draft& draft) {
   // At a stiffness that no start can move: inertia counts a little, and would move the result with the start.
   Parameters<double> usual = scenario.parameters;
   usual.elasticity = usual_rate_per_s * usual.damping;
-  compartment_ = as_compartment(measure_recoil(trunk_.model, usual));
+  compartment_ = as_compartment(measure_recoil(trunk_.model, usual), trunk_.model.pleura);
   CompartmentFit fit{compartment_, scenario.time, measured_curve_, draft.names, draft.beside, plan_.priors};
   fit.starts = plan_.starts;
   fit.seed = plan_.estimation.search.seed;
@@ -184,10 +184,10 @@ void SubjectFit::calibrate_compartment(const Draft& draft) {
   fit.starts = 1;
   fit.begin_at_usual_recoil = false;
   const Parameters<double> found = trunk::compartment_searches(fit, begin).front().to.parameters;
-  const double recoil = compartment_.recoil * p.elasticity / found.elasticity,
-               gain = compartment_.gain_m3 * (found.muscle / found.elasticity) / (p.muscle / p.elasticity);
+  const TrunkAsCompartment moved = compartment_.moved(found, p);
+  const double recoil = moved.recoil, gain = moved.gain_m3;
   // Where the trunk does not breathe like one compartment, what was measured at rest serves better.
-  if (std::abs(std::log(recoil / compartment_.recoil)) > 0.3) return;
+  if (!(std::abs(std::log(recoil / compartment_.recoil)) <= 0.3)) return;
   const auto within = [](const char* name, double value) {
     return std::clamp(value, free_parameter(name).lower, free_parameter(name).upper);
   };

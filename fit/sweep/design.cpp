@@ -9,7 +9,8 @@ namespace {
 
 /// Returns true if the lanes of one simulation may have different values of this key.
 bool varies_in_lanes(const SweepDesign::Axis& axis) {
-  return axis.key.starts_with("parameters.") || axis.key.starts_with("activation.");
+  return axis.key.starts_with("parameters.") || axis.key.starts_with("activation.") ||
+         axis.key.starts_with("lung.");
 }
 
 /// Removes the last digit in that base from a number and returns it.

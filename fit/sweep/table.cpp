@@ -25,7 +25,9 @@ std::vector<NamedColumn> columns_for(const SweepDesign& design) {
   std::vector<NamedColumn> columns;
   for (const SweepDesign::Axis* axis : design.axes())
     columns.push_back({axis->key, unit_of_key(axis->key), {}});
-  for (const NamedValue& m : measures_of(BreathSummary())) columns.push_back({m.name, m.unit, {}});
+  BreathSummary with_lung;
+  with_lung.swings.emplace();
+  for (const NamedValue& m : measures_of(with_lung)) columns.push_back({m.name, m.unit, {}});
   for (NamedColumn& c : columns) c.values.assign(design.runs(), no_number);
   return columns;
 }
@@ -56,6 +58,16 @@ void enter(const SweepRow& row, std::size_t first_measure, SweepRecord& table) {
   for (std::size_t m = 0; first_measure + m < table.columns.size(); ++m)
     table.columns[first_measure + m].values[run] =
         completed && m < row.measures.size() ? row.measures[m] : no_number;
+}
+
+/// Removes the columns of what only a lung has if no run has one.
+void drop_lung(std::size_t parameters, SweepRecord& table) {
+  const std::size_t without = parameters + measures_of(BreathSummary()).size();
+  const auto unknown = [](const NamedColumn& c) {
+    return std::none_of(c.values.begin(), c.values.end(), [](double v) { return std::isfinite(v); });
+  };
+  const auto first = table.columns.begin() + static_cast<std::ptrdiff_t>(without);
+  if (std::all_of(first, table.columns.end(), unknown)) table.columns.erase(first, table.columns.end());
 }
 
 /// Fills in the curves. As in the other columns, the last row visited of a run counts. => curves
@@ -99,6 +111,7 @@ TableOutcome write_table(const SweepDesign& design, const SweepFolder& folder, c
     enter(row, parameters, table);
     samples[row.run] = row.curve.size();
   });
+  drop_lung(parameters, table);
   const std::size_t longest = *std::max_element(samples.begin(), samples.end());
   for (std::size_t i = 0; i < longest; ++i)
     table.curve_time_s.push_back(static_cast<double>(i) * curve_step_s);

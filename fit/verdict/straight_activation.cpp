@@ -49,12 +49,16 @@ StraightActivation straight_activation(CompartmentFit fit, const Candidate& begi
   const Uncertainty u = assess(objective, *local);
   for (const Estimate& e : u.parameters)
     if (e.name == "k_elasticity") {
-      const double scale = fit.compartment.relaxation * space.decode(found.best).parameters.damping;
+      Parameters<double> p = space.decode(found.best).parameters;
+      const auto recoil_s = [&](double elasticity) {
+        p.elasticity = elasticity;
+        return fit.compartment.recoil_time_s(p);
+      };
       FitResult recoil = result_of(e, "recoil_time_s");
       recoil.unit = "s";
-      recoil.value = scale / e.value;
-      recoil.lower95 = scale / e.upper95;
-      recoil.upper95 = scale / e.lower95;
+      recoil.value = recoil_s(e.value);
+      recoil.lower95 = recoil_s(e.upper95);
+      recoil.upper95 = recoil_s(e.lower95);
       straight.results.push_back(recoil);
     }
   if (!u.ratio.name.empty()) straight.results.push_back(result_of(u.ratio, "k_muscle_over_k_elasticity"));

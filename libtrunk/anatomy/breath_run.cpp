@@ -61,6 +61,9 @@ BreathSummary summary_of(const Trunk& trunk, BreathCourse course) {
   s.above_relaxation = course.curve.above_relaxation;
   s.measures = measures_between(shape_of(trunk, course.at_start), shape_of(trunk, course.at_highest));
   s.peak_pressure_Pa = course.peak_pressure_Pa;
+  if (model.pleura) s.swings = course.swings;
+  s.right_rise = course.right_rise_m;
+  s.left_rise = course.left_rise_m;
   s.max_relative_volume_error = course.max_relative_volume_error;
   s.flipped_triangles = std::max(flipped(model.lung, model.rest, course.at_highest),
                                  flipped(model.lung, model.rest, course.at_lowest));
@@ -87,6 +90,7 @@ BreathRun run_breath(const Trunk& trunk, const Scenario& scenario, int frame_eve
     run.time_s.push_back(state.time_s);
     run.activation.push_back(activation);
     run.pressure_Pa.push_back(report.pressure_Pa);
+    if (trunk.model.pleura) run.pleural_pressure_Pa.push_back(report.pleural_pressure_Pa);
     if (frame_every > 0 && step % frame_every == 0)
       run.frames.push_back({step, state.position, velocities(state, scenario.time.dt_s), touches(state)});
   };
@@ -97,6 +101,7 @@ BreathRun run_breath(const Trunk& trunk, const Scenario& scenario, int frame_eve
   run.start = course.at_start;
   run.end_inspiration = course.at_highest;
   static_cast<BreathSummary&>(run) = summary_of(trunk, std::move(course));
+  if (trunk.model.pleura && run.ending.completed()) run.recoil_time_s = recoil_time_s(trunk, scenario);
   return run;
 }
 

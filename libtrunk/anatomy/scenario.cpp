@@ -89,6 +89,14 @@ Trunk make_trunk(const Scenario& s) {
   return trunk;
 }
 
+std::optional<double> recoil_time_s(const Trunk& trunk, const Scenario& s) {
+  try {
+    return recoil_time_s(measure_recoil(trunk.model, s.parameters), s.parameters, trunk.model.pleura);
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+}
+
 void require_stable(const Scenario& s, const Trunk& trunk) {
   const double bound = stable_time_step(trunk.model, s.parameters, s.time.damping);
   if (!(s.time.dt_s < bound))

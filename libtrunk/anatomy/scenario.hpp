@@ -49,6 +49,10 @@ TrunkMesh mesh_of(const Scenario& scenario);
 /// tissue or a rigid part is.
 Trunk make_trunk(const Scenario& scenario);
 
+/// Returns the time in which the relaxed trunk, with its lung and airway, loses 63 % of its volume, s;
+/// nothing if it does not come to rest.
+std::optional<double> recoil_time_s(const Trunk& trunk, const Scenario& scenario);
+
 /// Throws InputErrors with all courses that cannot repeat, if breathing should.
 void require_repeating(const Scenario& scenario);
 

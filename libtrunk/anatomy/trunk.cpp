@@ -114,7 +114,7 @@ std::vector<double> make_sheet(const TrunkMesh& m, const Tissue& tissue, Model& 
   for (std::size_t i = 0; i < area.size(); ++i) {
     if (area[i] == 0.0) continue;
     model.mass[i] = std::max(model.mass[i], tissue.particle_mass * factor[i] / (finer * finer));
-    model.damping_weight[i] *= finer * area[i] / sheet_area;
+    if (tissue.damping == DampingBy::particle) model.damping_weight[i] *= finer * area[i] / sheet_area;
   }
   constexpr double usual_width = 0.070;  // m, of a strip of the 113-particle template
   const std::vector<double> width = muscle_widths(m);
@@ -133,6 +133,18 @@ void stiffen_borders(const TrunkMesh& m, std::span<const double> factor, Model& 
   for (const Support& support : model.supports) clamped[index(support.particle)] = true;
   for (const int i : m.named("spine")) border[index(i)] = false;
   trunk::stiffen_borders(m.rest, clamped, border, factor, model.shape_memory);
+}
+
+/// Returns the damping of each particle (see DampingBy). Particles off the elastic surface have no area, and
+/// damping moves none of them.
+std::vector<double> damping_weights(const TrunkMesh& m, DampingBy share) {
+  constexpr double template_area = 4.554e-3;  // m2, the mean over the 92 elastic particles of the template
+  std::vector<double> weights(m.rest.size(), 1.0 / (m.fineness * m.fineness));
+  if (share == DampingBy::particle) return weights;
+  const std::vector<double> area = particle_areas(m.abdomen, m.rest);
+  for (std::size_t i = 0; i < area.size(); ++i)
+    if (area[i] > 0.0) weights[i] = area[i] / template_area;
+  return weights;
 }
 
 void require_possible(const Tissue& tissue) {
@@ -164,7 +176,7 @@ TrunkMesh::Given healthy_tissue(const TrunkMesh& m, const Tissue& tissue) {
   const double finer = m.fineness * m.fineness;
   TrunkMesh::Given field;
   field.mass.assign(m.rest.size(), tissue.particle_mass / finer);
-  field.damping.assign(m.rest.size(), 1.0 / finer);
+  field.damping = damping_weights(m, tissue.damping);
   field.stiffness.assign(m.rest.size(), finer);
   for (int i : m.named("central_tendon")) field.stiffness[index(i)] *= tissue.tendon_factor;
   field.mass = preferred(m.given.mass, std::move(field.mass));
@@ -204,6 +216,7 @@ Trunk make_trunk(const TrunkMesh& mesh, const Tissue& tissue, Reaction reaction,
   model.abdomen = held_volume(abdomen, mesh.rest);
   model.lung = mesh.lung;
   model.lung_rings = ring_table(lung);
+  model.domes = {mesh.named("dome_top_right"), mesh.named("dome_top_left")};
   model.lung_fans = fans(mesh.lung);
   for (int i : mesh.named("fixed")) model.mobility[index(i)] = {0.0, 0.0, 0.0};
   add_rigid_parts(mesh, tissue, parts, model);

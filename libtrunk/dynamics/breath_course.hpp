@@ -2,17 +2,27 @@
 
 #include <limits>
 
+#include "dynamics/swing.hpp"
 #include "dynamics/volume_curve.hpp"
 
 namespace trunk {
 
+/// How far pressures swing over a breath: the changes from t = 0 (end-expiration) that are the largest in
+/// size, with their signs. In a breath of the muscle the pleural pressure falls, and the others rise. Each
+/// has its own moment.
+struct PressureSwings {
+  double gastric_Pa = 0.0, pleural_Pa = 0.0, transdiaphragmatic_Pa = 0.0;
+};
+
 /// The volume curve of one simulated breath, and what tables need beside it.
 struct BreathCourse {
   VolumeCurve curve;
-  double peak_pressure_Pa = 0.0;             // abdominal, above rest
-  double max_relative_volume_error = 0.0;    // of the held volume
-  std::vector<Vec3d> at_start;               // [particles] m, at t = 0
-  std::vector<Vec3d> at_highest, at_lowest;  // [particles] m, at the highest and the lowest lung volume
+  double peak_pressure_Pa = 0.0;                 // abdominal, above rest
+  PressureSwings swings;                         // with a pleura
+  double right_rise_m = 0.0, left_rise_m = 0.0;  // of the tops of the domes above t = 0, at the most
+  double max_relative_volume_error = 0.0;        // of the held volume
+  std::vector<Vec3d> at_start;                   // [particles] m, at t = 0
+  std::vector<Vec3d> at_highest, at_lowest;      // [particles] m, at the highest and the lowest lung volume
 };
 
 /// Observes a simulation, each lane by itself. (state, report) => course
@@ -33,6 +43,7 @@ class BreathWatch {
     gains_.push_back(gain);
     if (step == 0) at_start_ = state.position;
     keep_larger(report.pressure_Pa, peak_pressure_Pa_);
+    if (model_.pleura) follow(state, report);
     keep_larger(relative_volume_error(state), max_relative_volume_error_);
     keep_where(highest_ < gain, gain, state.position, highest_, at_highest_);
     keep_where(gain < lowest_, gain, state.position, lowest_, at_lowest_);
@@ -47,6 +58,10 @@ class BreathWatch {
     c.curve.ending = std::move(ending);
     require_lung(enclosed_volume<double>(model_.lung, model_.rest) + in_lane(lowest_, lane), c.curve.ending);
     c.peak_pressure_Pa = in_lane(peak_pressure_Pa_, lane);
+    c.swings = {in_lane(gastric_.swing(), lane), in_lane(pleural_.swing(), lane),
+                in_lane(transdiaphragmatic_.swing(), lane)};
+    c.right_rise_m = in_lane(right_.highest - right_.first, lane);
+    c.left_rise_m = in_lane(left_.highest - left_.first, lane);
     c.max_relative_volume_error = in_lane(max_relative_volume_error_, lane);
     for (const auto& [lanes, alone] :
          {std::pair{&at_start_, &c.at_start}, {&at_highest_, &c.at_highest}, {&at_lowest_, &c.at_lowest}})
@@ -65,6 +80,20 @@ class BreathWatch {
     for (std::size_t i = 0; i < position.size(); ++i) at_best[i] = select<S>(better, position[i], at_best[i]);
   }
 
+  void follow(const State<S>& state, const StepReport<S>& report) {
+    gastric_(report.pressure_Pa);
+    pleural_(report.pleural_pressure_Pa);
+    transdiaphragmatic_(report.pressure_Pa - report.pleural_pressure_Pa);
+    right_(height_of(model_.domes.right, state));
+    left_(height_of(model_.domes.left, state));
+  }
+
+  static S height_of(const std::vector<int>& top, const State<S>& state) {
+    S sum(0.0);
+    for (const int i : top) sum = sum + state.position[static_cast<std::size_t>(i)].z();
+    return S(1.0 / static_cast<double>(std::max<std::size_t>(1, top.size()))) * sum;
+  }
+
   S relative_volume_error(const State<S>& state) const {
     const HeldVolume& held = model_.abdomen;
     const double fraction = held.target.empty() ? 1.0 : held.target(state.time_s);
@@ -77,6 +106,7 @@ class BreathWatch {
   std::vector<S> gains_;  // [steps + 1] m3
   S peak_pressure_Pa_{0.0}, max_relative_volume_error_{0.0};
   S highest_{-std::numeric_limits<double>::infinity()}, lowest_{std::numeric_limits<double>::infinity()};
+  Extremes<S> gastric_, pleural_, transdiaphragmatic_, right_, left_;
   std::vector<Vec3<S>> at_start_, at_highest_, at_lowest_;  // [particles]
 };
 

@@ -15,6 +15,25 @@ double fading_s(const Model& model, double damping) {
   return 2.0 * slowest / damping;
 }
 
+/// Returns how much longer the volume takes to fade than without lung and airway, s. The volume fades as that
+/// of one compartment. Of its numbers, stiffness is at least that at the measured abdominal factor times
+/// min(1, f / f0). What a constant pressure in the airway holds is absent at the beginning, and has to be
+/// forgotten too, down to the same part of a small breath.
+double longer_s(const Recoil& r, const Parameters<double>& p, const Pleura& pleura) {
+  constexpr double forgotten = 11.0, small_breath = 0.1e-3;  // m3
+  const double softer = std::min(1.0, p.abdomen_factor / r.abdomen_factor);
+  const double elastance = softer * r.elastance * p.elasticity + p.lung_elastance;
+  const double tissue_s = r.time_factor * p.damping / p.elasticity / softer;
+  const double resistance =
+      softer * r.elastance * p.elasticity * tissue_s + p.resistance + pleura.tube_resistance;
+  double most_Pa = 0.0;
+  for (const auto& event : pleura.airway_pressure.events())
+    most_Pa = std::max(most_Pa, std::abs(event.value));
+  const double time_s = resistance / elastance;
+  return std::max(0.0, forgotten * (time_s - tissue_s)) +
+         time_s * std::log1p(most_Pa / elastance / small_breath);
+}
+
 /// Returns true if the breath's course displaces something, other than by forces.
 bool displaces(const Model& model) {
   return !model.abdomen.target.empty() || !model.imposed_displacements.empty() ||
@@ -30,7 +49,8 @@ double lead_s(const Model& model, const Parameters<double>& p) {
     throw std::logic_error("breathing that repeats needs a model whose recoil has been measured");
   const Recoil& r = *model.recoil;
   const double memory_s = r.memory * p.damping / p.elasticity;
-  const double bound_s = memory_s * std::max(1.0, r.abdomen_factor / p.abdomen_factor);
+  double bound_s = memory_s * std::max(1.0, r.abdomen_factor / p.abdomen_factor);
+  if (model.pleura) bound_s += longer_s(r, p, *model.pleura);
   return std::max(bound_s, times * fading_s(model, p.damping));
 }
 

@@ -17,8 +17,9 @@ inline constexpr double longest_lead_s = 120.0;
 ///
 /// The memory is a number times c / k, and that number depends on the abdominal factor f. Stiffness only
 /// grows with f, and less than in proportion. So the memory at f is at most max(1, f0 / f) times that at f0,
-/// and this bound is used. It is infinite if nothing damps or nothing springs back. Throws std::logic_error
-/// if the recoil of the model was not measured.
+/// and this bound is used. A lung and an airway make it longer by about 11 times what they add to the recoil
+/// time, and by what a pressure in the airway holds. It is infinite if nothing damps or nothing springs back.
+/// Throws std::logic_error if the recoil of the model was not measured.
 double lead_s(const Model& model, const Parameters<double>& parameters);
 
 /// Returns the number of steps before t = 0 in which a trial begins at rest; 0 if the grid starts at rest.

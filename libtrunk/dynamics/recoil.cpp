@@ -19,7 +19,7 @@ Model undisturbed(Model model) {
   model.pressures.clear();
   model.imposed_displacements.clear();  // the particles stay where they are
   model.abdomen.target = {};
-  model.pleura.reset();
+  if (model.pleura) model.pleura = Pleura{};
   for (RigidBody& body : model.bodies)
     if (body.motion == RigidBody::Motion::driven) body.motion = RigidBody::Motion::fixed;
   return model;
@@ -115,6 +115,18 @@ class Measurement {
   int steps_ = 0;
 };
 
+/// Returns Recoil::elastance. The muscle rests, and a pressure in the airway holds `wanted`, m3.
+double measure_elastance(Model model, const Parameters<double>& p, double wanted) {
+  constexpr double usual = 500.0;  // 1/m4, that of the default trunk
+  const auto hold = [&](double pressure_Pa) {
+    model.pleura->airway_pressure = PiecewiseLinear({{0.0, pressure_Pa}}, pressure_Pa);
+    return Measurement(model, p).hold(0.0);
+  };
+  const double first_Pa = usual * p.elasticity * wanted;
+  const double second_Pa = first_Pa * wanted / std::max(hold(first_Pa), 0.1 * wanted);
+  return second_Pa / (p.elasticity * hold(second_Pa));
+}
+
 }  // namespace
 
 Recoil measure_recoil(const Model& given, const Parameters<double>& parameters) {
@@ -125,13 +137,21 @@ Recoil measure_recoil(const Model& given, const Parameters<double>& parameters) 
     for (Fibre& fibre : model.fibres) fibre.activity = 1.0;
   Parameters<double> p = parameters;
   p.muscle = first_ratio * p.elasticity;
+  p.lung_elastance = p.resistance = 0.0;
   Measurement measurement(model, p);
   const double wanted = part_of_lung * enclosed_volume<double>(model.lung, model.rest);
   const double strength = wanted / std::max(measurement.hold(1.0), 0.1 * wanted);
   const double held = measurement.hold(strength);
   Recoil recoil = measurement.release();
   if (!paralysed) recoil.gain = held / (strength * first_ratio);
+  if (model.pleura) recoil.elastance = measure_elastance(model, p, wanted);
   return recoil;
+}
+
+double recoil_time_s(const Recoil& r, const Parameters<double>& p, const std::optional<Pleura>& pleura) {
+  if (!pleura) return r.time_factor * p.damping / p.elasticity;
+  return (r.elastance * r.time_factor * p.damping + p.resistance + pleura->tube_resistance) /
+         (r.elastance * p.elasticity + p.lung_elastance);
 }
 
 Recoil measure_recoil_for_leads(Model model) {

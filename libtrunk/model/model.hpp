@@ -122,12 +122,20 @@ struct Pleura {
 };
 
 /// How a trunk springs back (see measure_recoil). Its volume is close to that of one compartment,
-/// tau V' + V = gain (k_muscle / k_elasticity) A(t), with tau = time_factor damping / k_elasticity.
+/// tau V' + V = gain (k_muscle / k_elasticity) A(t), with tau = time_factor damping / k_elasticity. This is
+/// the tissue alone. With eps the elastance, k = k_elasticity, c the damping and a lung of E_L and R, (eps
+/// time_factor c + R) V' + (eps k + E_L) V = eps gain k_muscle A(t) + airway pressure.
 struct Recoil {
   double time_factor = 0.0;     // a pure number
   double gain = 0.0;            // m3
   double memory = 0.0;          // of what was before, a time in damping / k_elasticity
   double abdomen_factor = 0.0;  // for which all this holds
+  double elastance = 0.0;       // 1/m4: Pa/m3 of pleural pressure per N/m of k_elasticity; 0: not measured
+};
+
+/// The particles at the top of both domes of the diaphragm: what ultrasound follows.
+struct Domes {
+  std::vector<int> right, left;
 };
 
 /// Everything that stays constant during a simulation and between the runs of a fit. All values are in SI
@@ -151,6 +159,7 @@ struct Model {
   std::vector<Triangle> lung;  // closed
   RingTable lung_rings, lung_fans;
   std::optional<Pleura> pleura;  // nothing: the lung's volume is measured and has no effect
+  Domes domes;
   std::optional<Recoil> recoil;  // measured if breathing repeats
 
   std::size_t particles() const noexcept { return rest.size(); }

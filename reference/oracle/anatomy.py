@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from oracle.elasticity import cross, dot
 from oracle.rings import rings_of
 from oracle.sheet import AREA, areas, ring_weights, stiffness_factor
 
@@ -88,6 +89,12 @@ class Tissue:
         everywhere = np.ones(rest.shape[1])
         self.mass = s["tissue"]["particle_mass_kg"] / n**2 * everywhere
         share_of_damping = everywhere / n**2
+        if s["tissue"].get("damping") == "area":
+            a, b, c = (rest[:, corner] for corner in anatomy.surface.T)
+            normal = cross(b - a, c - a)
+            third = np.tile(0.5 * np.sqrt(dot(normal, normal)) / 3.0, 3)
+            area = np.bincount(anatomy.surface.T.ravel(), third, rest.shape[1])
+            share_of_damping = np.where(area > 0.0, area / 4.554e-3, share_of_damping)
         stiffness = n**2 * everywhere
         stiffness[anatomy.names["central_tendon"]] *= s["tissue"]["tendon_stiffness_factor"]
         strength = 1.0 / n

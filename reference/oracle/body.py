@@ -4,6 +4,7 @@ import numpy as np
 
 from oracle.anatomy import RIB_CAGE, Anatomy, Tissue
 from oracle.elasticity import Membrane, RingGroup
+from oracle.lung import Lung
 from oracle.loads import course, dead_forces, displacements, pressures
 from oracle.ribs import Ribs
 from oracle.rigid import Driven, Fixed, Free
@@ -36,6 +37,7 @@ class Body:
         self.set_rigid_parts(s)
         self.set_elasticity(s)
         self.set_loads(s)
+        self.lung = Lung(s, self.anatomy, self.dt) if "lung" in s or "airway" in s else None
         self.ribs.keep(self.mobility[:, self.ribs.particles].all(axis=0))
         carried = np.zeros(self.rest.shape[1], int)
         for number, part in enumerate(self.parts):

@@ -34,6 +34,8 @@ def forces(body, positions, active, t):
         force[:, particles] += magnitude(t) * at_one
     for pressure in body.pressures:
         force += pressure.force(positions, t)
+    if body.lung:
+        force += body.lung.force(positions, t)
     return force
 
 
@@ -68,7 +70,8 @@ class Motion:
             active = activation(self.timing, t, breath_s)
             predicted = predict(body, self.positions, self.velocity, active, t, end)
             planes = body.ribs.planes(predicted, self.positions, t, end)
-            corrected = self.constraint.solve(predicted, self.positions, planes, body.target(end))
+            moved = body.dt * self.velocity  # in the last step
+            corrected = self.constraint.solve(predicted, self.positions, moved, planes, body.target(end))
             self.velocity = (corrected - self.positions) / body.dt
             self.positions = corrected
             yield corrected

@@ -20,6 +20,7 @@
 #include "dynamics/stability.hpp"
 #include "dynamics/volume_curve.hpp"
 #include "estimation/estimate.hpp"
+#include "math/units.hpp"
 #include "parallel/workers.hpp"
 #include "scenarios/read_scenario.hpp"
 
@@ -43,6 +44,16 @@ Subject subject(const std::string& name, int resolution = 1) {
   auto file = read_scenario("scenarios/" + name + ".toml");
   file.scenario.geometry.resolution = resolution;
   return {file.scenario, make_trunk(file.scenario)};
+}
+
+/// The same trunk with a lung and an airway, or without; everything else is the same.
+Subject breathing_air(bool with_lung) {
+  Scenario s = read_scenario("scenarios/healthy.toml").scenario;
+  s.lung_acts = with_lung;
+  s.parameters.lung_elastance = 5.0 * Pa_per_cmH2O / m3_per_litre;
+  s.parameters.resistance = 2.5 * Pa_per_cmH2O / m3_per_litre;
+  s.time = {};
+  return {s, make_trunk(s)};
 }
 
 Trials different(const Scenario& s, std::size_t count) {
@@ -193,6 +204,8 @@ Case made(const std::string& name) {
   const auto about = [&] { return subject(which.empty() ? "healthy" : which); };
   if (what == "breath") return breath(about(), about().scenario.time);
   if (what == "auto_breath") return breath(about(), chosen_step(about()).grid);
+  if (what == "air") return breath(breathing_air(true), {});
+  if (what == "no_air") return breath(breathing_air(false), {});
   if (what == "accuracy") return accuracy(about());
   if (what == "batch") return batch(about(), about().scenario.time);
   if (what == "auto_batch") return batch(about(), chosen_step(about()).grid);
@@ -203,7 +216,7 @@ Case made(const std::string& name) {
   if (what == "lanes") return lanes_in(kernel_named(which), subject("healthy"));
   if (what == "derivatives") return derivatives_in(kernel_named(which), subject("healthy"));
   throw InputError({}, "there is no case '" + name + "'",
-                   "breath, auto_breath, accuracy, batch, auto_batch, fit or auto_fit [SCENARIO], "
+                   "air, no_air, breath, auto_breath, accuracy, batch, auto_batch, fit or auto_fit [SCENARIO], "
                    "mesh RESOLUTION, or one, lanes or derivatives KERNEL");
 }
 

@@ -52,7 +52,8 @@ def measure(repeats):
     ours = Server(PROGRAM)
     peers = {name: Server(path) for name, path in PEERS.items() if path.exists()}
     kernels = ours("kernels")["kernels"]
-    turns = [(ours, "trunk", case) for case in ("breath", "auto_breath", "batch", "auto_batch", "fit", "auto_fit")]
+    turns = [(ours, "trunk", case) for case in ("breath", "no_air", "air", "auto_breath", "batch", "auto_batch", "fit",
+                                                "auto_fit")]
     turns += [(ours, "trunk", f"{what} {kernel}") for kernel in kernels for what in ("one", "lanes", "derivatives")]
     turns += [(ours, "trunk", f"mesh {resolution}") for resolution in (1, 2, 4, FINEST)]
     turns += [(server, name, factor) for name, server in peers.items() for factor in CONSERVATION]
@@ -97,6 +98,7 @@ def summary(answers, accuracy, counted):
 
     result = {
         "breath_ms": ms["trunk", "breath"],
+        "lung_ratio": ms["trunk", "air"] / ms["trunk", "no_air"],
         "auto_breath_ms": ms["trunk", "auto_breath"],
         "auto_dt_ms": last["trunk", "auto_breath"]["dt_ms"],
         "batch_breaths_per_s": rate("auto_batch"),
@@ -136,6 +138,7 @@ def table(r):
 
     rows = [
         ("one breath, 4500 steps of 1 ms, 113 particles, one core", ms(r["breath_ms"])),
+        ("a breath with lung and airway over one without", f"{r['lung_ratio']:.2f}"),
         ("the same size in Bullet 3.24's soft body, float", ms(r["bullet_float_ms"])),
         ("the same size in Bullet 3.24's soft body, double", ms(r["bullet_double_ms"])),
         ("largest relative volume error: trunk, Bullet at its best",

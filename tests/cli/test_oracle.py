@@ -74,6 +74,14 @@ region = "central_tendon,zone_of_apposition"
 direction = [0.0, 0.6, -0.8]
 events_cmH2O = [[0.0, 0.0], [0.6, 1.0], [1.5, 2.0]]
 """
+LUNG = """
+[lung]
+elastance_cmH2O_per_L = 5.0
+resistance_cmH2O_s_per_L = 8.0
+[airway]
+pressure_cmH2O = [[0.0, 0.0], [0.5, 5.0], [1.0, 3.0], [2.0, 0.0]]
+tube_resistance_cmH2O_s_per_L = 1.5
+"""
 FIELDS = """
 gravity_m_s2 = [0.5, -0.3, -1.0]
 abdominal_volume_fraction = [[0.0, 1.0], [0.4, 1.01], [1.5, 0.99]]
@@ -149,6 +157,17 @@ class Oracle(TrunkTest):
             self.assertGreater(found, 0)
         trunk.write_text(text, encoding="utf-8")
         self.assert_agrees("trunk/scenario.toml", steps=SHORT_STEPS)
+
+    def test_lung_and_airway(self):
+        """Through the inspiration and the turn, at ribs that rub."""
+        self.assert_agrees(self.scenario(LUNG), *BREATH, *RUBBING, "--set", "tissue.damping=area", steps=BREATH_STEPS)
+
+    def test_lung_beside_moving_ribs(self):
+        self.assert_agrees(self.scenario(BUCKET_HANDLE + LUNG + LOADS, "hemiparalysis_right", fields=FIELDS), *SHORT,
+                           steps=SHORT_STEPS)
+
+    def test_sees_a_millionth_of_the_resistance(self):
+        self.assert_sees(self.scenario(LUNG), *SHORT, change="lung.resistance_cmH2O_s_per_L", factor=1 + 1e-6)
 
     def test_finer_mesh(self):
         self.assert_agrees(self.scenario(BUCKET_HANDLE + FREE_TENDON), *RUBBING, "--set", "geometry.resolution=2",

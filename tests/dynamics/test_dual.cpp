@@ -12,8 +12,9 @@ using namespace trunk::test;
 
 namespace {
 
-const char* const names[] = {"elasticity", "muscle",    "damping",   "abdomen_factor",  "onset",
-                             "rise",       "fast_fall", "slow_fall", "fast_fall_level", "period"};
+const char* const names[] = {"elasticity",      "muscle", "damping",        "abdomen_factor",
+                             "onset",           "rise",   "fast_fall",      "slow_fall",
+                             "fast_fall_level", "period", "lung_elastance", "resistance"};
 
 /// In every number of the trial but the period, by itself; the onset has no size of its own.
 std::vector<Trial<double>> relative_directions(Trial<double> trial) {
@@ -140,8 +141,44 @@ TEST_CASE("Derivatives pass through loads, friction, moving ribs and free bodies
   }
 }
 
+TEST_CASE("Derivatives pass through lung and airway", "[property][dynamics][slow]") {
+  Scenario quiet = breathing_air();
+  quiet.time.dt_s = 5e-3;
+  quiet.activation.onset_s = 0.0005;
+  quiet.activation.rise_s = 1.9993;
+  Scenario rubbing = laden_with_lung("hemiparalysis_right");
+  rubbing.time = {1e-3, 0.2};
+  for (const Scenario& scenario : {quiet, rubbing}) {
+    const Trunk trunk = make_trunk(scenario);
+    const Trial<double> trial{scenario.parameters, scenario.activation};
+    std::vector<Trial<double>> directions;
+    for (const std::size_t n : {0u, 1u, 2u, 3u, 10u, 11u}) {
+      Trial<double> own = trial;
+      directions.push_back(no_change());
+      *numbers(directions.back())[n] = *numbers(own)[n];
+    }
+    const VolumeDerivatives exact = simulate_volume_derivatives(trunk, trial, directions, scenario.time);
+    REQUIRE(exact.curve.ending.completed());
+    const double h = 1e-6, bound = scenario.pleura.airway_pressure.empty() ? 1e-5 : 1e-3;
+    for (std::size_t n = 0; n < directions.size(); ++n) {
+      const auto curve = [&](double by) {
+        const Trial<double> there = moved(trial, directions[n], by);
+        return simulate_volume(trunk, there.parameters, there.activation, scenario.time).delta_v;
+      };
+      const std::vector<double> more = curve(h), less = curve(-h);
+      double apart = 0.0;
+      for (std::size_t step = 0; step < more.size(); ++step)
+        apart = std::max(apart, std::abs((more[step] - less[step]) / (2 * h) - exact.along[n][step]));
+      const double size = largest_of(exact.along[n]);
+      CAPTURE(scenario.title, n, size, apart);
+      CHECK(size > 1e-7);
+      CHECK(apart < bound * size);
+    }
+  }
+}
+
 TEST_CASE("A step of duals allocates nothing", "[property][dynamics]") {
-  const Scenario scenario = laden("healthy");
+  const Scenario scenario = laden_with_lung("healthy");
   const Model model = make_trunk(scenario).model;
   const Trial<double> alone{scenario.parameters, scenario.activation};
   const auto directions = relative_directions(alone);
@@ -158,7 +195,8 @@ TEST_CASE("A step of duals allocates nothing", "[property][dynamics]") {
 }
 
 TEST_CASE("Every instruction set gives the same bits", "[property][dynamics]") {
-  for (const Scenario& scenario : {laden("hemiparalysis_right"), on_sheet(laden("hemiparalysis_right"))}) {
+  for (const Scenario& scenario : {laden("hemiparalysis_right"), on_sheet(laden("hemiparalysis_right")),
+                                   laden_with_lung("hemiparalysis_right")}) {
     const Model model = make_trunk(scenario).model;
     const TimeGrid grid{1e-3, 0.15};
     std::vector<Trial<double>> trials(8, {scenario.parameters, scenario.activation});

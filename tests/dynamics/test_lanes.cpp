@@ -35,7 +35,9 @@ void append_numbers(const State<S>& state, const StepReport<S>& report, int lane
     append(body.velocity);
     append(body.angular_momentum);
   }
+  numbers.push_back(in_lane(state.lung_gain, lane));
   numbers.push_back(in_lane(report.pressure_Pa, lane));
+  numbers.push_back(in_lane(report.pleural_pressure_Pa, lane));
   numbers.push_back(in_lane(report.ok, lane));
 }
 
@@ -102,8 +104,9 @@ TEST_CASE("Every lane has the bits of its trial alone", "[property][dynamics]") 
     INFO(name);
     check_lanes(make_trunk(scenario).model, four_trials(scenario), {1e-3, 0.4});
   }
-  for (const Scenario& scenario : {laden("healthy"), on_sheet(laden("healthy"))})
-    check_lanes(make_trunk(scenario).model, four_trials(scenario), {1e-3, 0.2});
+  for (const Scenario& scenario : {laden("healthy"), on_sheet(laden("healthy")), laden_with_lung("healthy")})
+    for (const Damping damping : {Damping::implicit, Damping::centred})
+      check_lanes(make_trunk(scenario).model, four_trials(scenario), {1e-3, 0.2, damping});
 }
 
 TEST_CASE("Lanes that begin at different times have the bits of their trials alone", "[property][dynamics]") {

@@ -6,6 +6,7 @@
 
 #include "anatomy/breath_run.hpp"
 #include "forces/shape_memory.hpp"
+#include "math/units.hpp"
 #include "scenarios/read_scenario.hpp"
 #include "support/zoo.hpp"
 
@@ -49,6 +50,35 @@ inline Scenario laden(const std::string& name) {
 inline Scenario on_sheet(Scenario scenario) {
   scenario.tissue.elasticity = ElasticLaw::sheet;
   return scenario;
+}
+
+/// A scenario with the lung of a healthy adult and a stiff airway: 5 cmH2O/L and 2.75 cmH2O s/L.
+inline Scenario with_lung(Scenario scenario) {
+  scenario.lung_acts = true;
+  scenario.parameters.lung_elastance = 5.0 * Pa_per_cmH2O / m3_per_litre;
+  scenario.parameters.resistance = 2.75 * Pa_per_cmH2O / m3_per_litre;
+  return scenario;
+}
+
+/// The quiet breath of a healthy adult with a lung: 466 ml at 4.5 s, recoil time 0.35 s.
+inline Scenario breathing_air() {
+  Scenario s = with_lung(shipped("healthy"));
+  s.parameters.elasticity = 1930.0;
+  s.parameters.muscle = 19.2;
+  s.parameters.damping = 14.5;
+  s.parameters.abdomen_factor = 0.3;
+  s.tissue.held_stiffness = 2.0;
+  s.time = {1e-3, 4.5, Damping::centred, Start::periodic};
+  return s;
+}
+
+/// A laden scenario with a lung and a tube at a pressure that changes. A lung acts on no free part.
+inline Scenario laden_with_lung(const std::string& name) {
+  Scenario s = with_lung(laden(name));
+  s.rigid.pop_back();
+  s.pleura.airway_pressure = PiecewiseLinear({{0.0, 200.0}, {0.1, 900.0}, {0.3, -300.0}});
+  s.pleura.tube_resistance = 4e5;
+  return s;
 }
 
 /// The breath of a shipped scenario, no frames kept.

@@ -52,6 +52,7 @@ function curves(parent, runs, clock, withVolume) {
   };
   one('Muscle activation', '', overlaid(runs, 'activation', 'activation'));
   one('Abdominal pressure above rest', 'cmH2O', overlaid(runs, 'abdominal_pressure', 'pressure'));
+  one('Pleural pressure above rest', 'cmH2O', overlaid(runs, 'pleural_pressure', 'pressure'));
   one('Zone of apposition: it shortens by ΔL, widens by ΔR', 'mm', moved(runs, [
     { name: 'dL', label: 'ΔL', ink: 'blue', style: 0 },
     { name: 'dR', label: 'ΔR', ink: 'green', style: 2 },

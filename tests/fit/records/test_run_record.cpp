@@ -39,6 +39,7 @@ const Series& series_named(const std::vector<Series>& all, const std::string& na
 
 TEST_CASE("A breath that did not complete has the same measures, all unknown", "[records]") {
   BreathSummary half = short_run().run;
+  half.swings.emplace();
   const auto whole = measures_of(half);
   half.ending.status = Ending::Status::diverged;
   const auto unknown = measures_of(half);

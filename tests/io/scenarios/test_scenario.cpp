@@ -22,7 +22,13 @@ std::string content(const std::filesystem::path& path) {
 /// Another value for every key, inside its limits, so that a round trip cannot pass by keeping defaults.
 Scenario unusual(Random& random) {
   Scenario s;
+  s.lung_acts = true;
   for (const ScenarioKey& key : scenario_keys()) {
+    if (const auto* c = std::get_if<ScenarioKey::Course>(&key.kind)) {
+      const double value = c->to_si * random.between(c->low, c->high);
+      c->field(s) = random.unit() < 0.5 ? PiecewiseLinear({{0.0, value}}, value)
+                                        : PiecewiseLinear({{0.1, value}, {0.3, 0.0}});
+    }
     if (const auto* n = std::get_if<ScenarioKey::Number>(&key.kind))
       n->field(s) = n->to_si * random.between(n->low, std::min(n->high, n->low + 1000.0));
     if (const auto* i = std::get_if<ScenarioKey::Integer>(&key.kind))
