@@ -21,8 +21,8 @@ struct StoredSubject {
 StoredSubject read_stored_subject(const std::filesystem::path& path);
 
 /// Makes a scenario breathe as the subject does. Of a fit that is the parameters, the activation, the period
-/// and whether breathing repeats, and the lung or that there is none; the airway stays that of the scenario. Of a
-/// run it is the parameters and the activation (see adopt_parameters).
+/// and whether breathing repeats, and the lung or that there is none; the airway stays that of the scenario.
+/// Of a run it is the parameters and the activation (see adopt_parameters).
 /// => scenario
 void breathe_as(const StoredSubject& subject, Scenario& scenario);
 void breathe_as(const Scenario& subject, Scenario& scenario);

@@ -156,7 +156,7 @@ double recoil_time_s(const Recoil& r, const Parameters<double>& p, const std::op
 
 Recoil measure_recoil_for_leads(Model model) {
   // Those of the shipped scenarios, but twice as damped: inertia, which shortens the memory, counts little.
-  constexpr Parameters<double> parameters{4000.0, 0.0, 40.0, 0.8};
+  const Parameters<double> parameters{4000.0, 0.0, 40.0, model.pleura ? 0.3 : 0.8};
   model.membrane.clear();
   return measure_recoil(model, parameters);
 }

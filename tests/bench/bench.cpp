@@ -215,9 +215,10 @@ Case made(const std::string& name) {
   if (what == "one") return one_in(kernel_named(which), subject("healthy"));
   if (what == "lanes") return lanes_in(kernel_named(which), subject("healthy"));
   if (what == "derivatives") return derivatives_in(kernel_named(which), subject("healthy"));
-  throw InputError({}, "there is no case '" + name + "'",
-                   "air, no_air, breath, auto_breath, accuracy, batch, auto_batch, fit or auto_fit [SCENARIO], "
-                   "mesh RESOLUTION, or one, lanes or derivatives KERNEL");
+  throw InputError(
+      {}, "there is no case '" + name + "'",
+      "air, no_air, breath, auto_breath, accuracy, batch, auto_batch, fit or auto_fit [SCENARIO], "
+      "mesh RESOLUTION, or one, lanes or derivatives KERNEL");
 }
 
 std::string kernel_names() {

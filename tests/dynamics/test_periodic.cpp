@@ -105,6 +105,25 @@ TEST_CASE("Breaths of all periods and recoil times that occur repeat", "[nightly
   WARN("breaths that repeat are within " << farthest << " of a tidal volume of many breaths from rest");
 }
 
+TEST_CASE("With a lung, a breath that repeats is the limit of many breaths too",
+          "[property][dynamics][slow]") {
+  constexpr double per_L = Pa_per_cmH2O / m3_per_litre;
+  for (const auto& [resistance, elastance, cpap] :
+       {std::tuple{0.0, 20.0, 0.0}, {10.0, 0.0, 0.0}, {10.0, 20.0, 0.0}, {2.75, 5.0, 10.0}}) {
+    Scenario s = breathing_air();
+    s.time = {5e-3, 3.0, Damping::implicit, Start::periodic};
+    s.activation.rise_s = 1.0;
+    s.activation.slow_fall_s = 1.0;
+    s.parameters.resistance = resistance * per_L;
+    s.parameters.lung_elastance = elastance * per_L;
+    s.pleura.airway_pressure = PiecewiseLinear({{0.0, cpap * Pa_per_cmH2O}}, cpap * Pa_per_cmH2O);
+    const double apart = distance_from_limit(s);
+    CAPTURE(resistance, elastance, cpap);
+    CHECK(apart < 5e-5);
+    WARN("R " << resistance << ", E " << elastance << ", airway " << cpap << ": " << apart);
+  }
+}
+
 TEST_CASE("A breath ends where it began, and its volume above relaxation is positive",
           "[property][dynamics][slow]") {
   const Scenario s = breathing("healthy", 2.0, 0.5);

@@ -200,24 +200,59 @@ TEST_CASE("Every step obeys the law of lung and airway, and both constraints", "
 }
 
 TEST_CASE("A healthy breath with a lung has the pressures that clinics measure", "[property][dynamics]") {
-  const Scenario s = breathing_air();
+  Scenario s = breathing_air();
+  s.time.damping = Damping::implicit;
   const BreathRun run = run_breath(make_trunk(s), s, 0);
   REQUIRE(run.ending.completed());
-  WARN(run.measures.delta_v * ml_per_m3
-       << " ml, Pga " << run.swings->gastric_Pa / cmH2O << ", Ppl " << run.swings->pleural_Pa / cmH2O
-       << ", Pdi " << run.swings->transdiaphragmatic_Pa / cmH2O << " cmH2O, tau " << *run.recoil_time_s
-       << " s");
-  CHECK(run.measures.delta_v * ml_per_m3 == Approx(466.0).margin(1.0));
-  // A prototype with its own code for lung, airway and projection.
-  CHECK(run.swings->gastric_Pa / cmH2O == Approx(3.48).margin(0.03));
-  CHECK(run.swings->pleural_Pa / cmH2O == Approx(-3.16).margin(0.03));
-  CHECK(run.swings->transdiaphragmatic_Pa / cmH2O == Approx(6.61).margin(0.05));
-  CHECK(*run.recoil_time_s == Approx(0.349).margin(0.01));
-  // At rest of the flow, the pleural pressure is the lung's recoil.
-  const std::size_t peak = static_cast<std::size_t>(std::max_element(run.delta_v.begin(), run.delta_v.end()) -
-                                                    run.delta_v.begin());
+  CHECK(run.measures.delta_v * ml_per_m3 == Approx(458.7).margin(0.5));
+  // A prototype with other code for lung, airway and their place in the search gave these pressures above
+  // rest.
+  std::vector<double> across = run.pressure_Pa;
+  for (std::size_t n = 0; n < across.size(); ++n) across[n] -= run.pleural_pressure_Pa[n];
+  const double lowest = *std::min_element(run.pleural_pressure_Pa.begin(), run.pleural_pressure_Pa.end());
+  CHECK(highest(run.pressure_Pa) / cmH2O == Approx(3.48).margin(0.005));
+  CHECK(lowest / cmH2O == Approx(-3.16).margin(0.005));
+  CHECK(highest(across) / cmH2O == Approx(6.61).margin(0.005));
+  // Swings count from end-expiration, where the lung still empties.
+  CHECK(run.swings->gastric_Pa == highest(run.pressure_Pa) - run.pressure_Pa.front());
+  CHECK(run.swings->pleural_Pa == lowest - run.pleural_pressure_Pa.front());
+  CHECK(run.swings->transdiaphragmatic_Pa == highest(across) - across.front());
+  CHECK(run.right_rise > 0.0);  // the lung empties for a moment more
+  CHECK(run.right_rise < 0.3e-3);
+  // Where nothing flows, the pleural pressure is the lung's recoil.
+  const auto peak = static_cast<std::size_t>(std::max_element(run.delta_v.begin(), run.delta_v.end()) -
+                                             run.delta_v.begin());
   CHECK(run.pleural_pressure_Pa[peak] ==
-        Approx(-s.parameters.lung_elastance * (run.delta_v[peak] + run.above_relaxation)).epsilon(2e-3));
+        Approx(-s.parameters.lung_elastance * (run.delta_v[peak] + run.above_relaxation)).epsilon(5e-3));
+}
+
+TEST_CASE("The volume lags behind the muscle by the recoil time", "[property][dynamics][slow]") {
+  // For the means of A(t) and V(t) this is exact in a linear model without E_L, whatever its other modes. With
+  // E_L it is as good as the trunk is one compartment.
+  for (const auto& [resistance, elastance] : {std::pair{0.0, 5.0}, {2.75, 5.0}, {10.0, 5.0}, {5.0, 0.0}}) {
+    Scenario s = breathing_air();
+    s.parameters.resistance = resistance * cmH2O_per_L;
+    s.parameters.lung_elastance = elastance * cmH2O_per_L;
+    s.pleura.tube_resistance = 1.0 * cmH2O_per_L;
+    s.time = {2e-3, 14.0, Damping::centred};
+    const Trunk trunk = make_trunk(s);
+    const VolumeCurve curve = simulate_volume(trunk, s.parameters, s.activation, s.time);
+    REQUIRE(curve.ending.completed());
+    double volume = 0.0, volume_time = 0.0, active = 0.0, active_time = 0.0;
+    for (std::size_t n = 0; n < curve.delta_v.size(); ++n) {
+      const double time_s = static_cast<double>(n) * s.time.dt_s, a = s.activation(time_s);
+      volume += curve.delta_v[n];
+      volume_time += time_s * curve.delta_v[n];
+      active += a;
+      active_time += time_s * a;
+    }
+    const double lag_s = volume_time / volume - active_time / active;
+    const double tau_s = recoil_time_s(trunk, s).value();
+    CAPTURE(resistance, elastance, lag_s, tau_s);
+    WARN("R " << resistance << ", E " << elastance << ": lag " << lag_s << " s, recoil time " << tau_s
+              << " s");
+    CHECK(tau_s == Approx(lag_s).epsilon(0.05));
+  }
 }
 
 TEST_CASE("A pressure in the airway inflates a trunk whose muscle rests", "[property][dynamics]") {
@@ -234,12 +269,11 @@ TEST_CASE("A pressure in the airway inflates a trunk whose muscle rests", "[prop
   // One compartment, at that depth.
   const Recoil recoil = measure_recoil(trunk.model, s.parameters);
   const double elastance = recoil.elastance * s.parameters.elasticity + s.parameters.lung_elastance;
-  CHECK(run.delta_v.back() == Approx(10.0 * cmH2O / elastance).epsilon(0.03));
+  CHECK(run.delta_v.back() == Approx(10.0 * cmH2O / elastance).epsilon(0.04));
 }
 
 TEST_CASE("The energy of a breath with lung and airway closes", "[property][dynamics]") {
   Scenario s = breathing_air();
-  s.tissue.rib_friction = 0.0;
   s.time.start = Start::rest;
   s.pleura.tube_resistance = 2.0 * cmH2O_per_L;
   const int breath = s.time.steps(), peak = breath * 2 / 4;
