@@ -16,7 +16,7 @@
 namespace trunk {
 namespace {
 
-constexpr double level_half_s = 0.05, envelope_s = 0.1;
+constexpr double level_half_s = 0.02, envelope_s = 0.1;
 constexpr double least_sigma_of_swing = 0.01;
 constexpr double both_signs = 0.2;  // of the largest value: an EMG with both signs is raw
 constexpr std::size_t enough_for_swallows = 4;

@@ -8,7 +8,7 @@ namespace trunk {
 
 /// Returns the channels of a trace over its mean breath, of which the times and `used` are set.
 ///
-/// The level at an end of expiration is the mean over 0.05 s on either side. An EMG that takes both signs is
+/// The level at an end of expiration is the mean over 0.02 s on either side. An EMG that takes both signs is
 /// raw: it is made positive and averaged over 0.1 s, without a lag. A breath counts if the channel has
 /// numbers throughout, and if no swallow shows: oesophageal pressure then rises above the median of all
 /// breaths by more than 4 times the median of such rises and by more than the swing of the median breath

@@ -24,7 +24,7 @@ struct PressureSign {
   bool rises = true;     ///< on inspiration, as it must
   bool clear = false;    ///< the equation of the lung explains more than half of its variance
   double explained = 0;  ///< share of its variance
-  double rise_Pa = 0;    ///< in inspiration over expiration, as explained
+  double rise_Pa = 0;    ///< see LungMechanics
 };
 
 /// Returns which way airway less pleural pressure goes in the mean breath, which has a pleural pressure.

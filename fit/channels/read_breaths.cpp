@@ -29,9 +29,7 @@ bool open_to_pressure(const Trace& trace, const Segmentation& s) {
 
 }  // namespace
 
-Segmentation read_breaths(const std::filesystem::path& path, const SignalOptions& options,
-                          const BreathSelection& selection) {
-  Trace trace = read_signal(path, options);
+Segmentation breaths_of(Trace trace, const BreathSelection& selection) {
   Segmentation s = segment_breaths(trace, selection);
   if (trace.channels.empty() || !has_mean(s)) return s;
   MeasuredBreath mean = mean_breath(s);
@@ -54,6 +52,11 @@ Segmentation read_breaths(const std::filesystem::path& path, const SignalOptions
   for (const MeasuredChannel& channel : mean.channels)
     s.notes.insert(s.notes.end(), channel.notes.begin(), channel.notes.end());
   return s;
+}
+
+Segmentation read_breaths(const std::filesystem::path& path, const SignalOptions& options,
+                          const BreathSelection& selection) {
+  return breaths_of(read_signal(path, options), selection);
 }
 
 }  // namespace trunk

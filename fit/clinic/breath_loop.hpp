@@ -6,11 +6,13 @@
 
 namespace trunk {
 
-/// One breath: volume, its flow and the pressures, from its onset on. Pressures are changes from
-/// end-expiration; one that was not measured in this breath is empty. Of pleural, gastric and
-/// transdiaphragmatic pressure, two give the third (Pdi = Pga - Ppl).
+/// One breath: volume, its flow and the pressures, from its onset on. Pressures are changes from the moment
+/// at which inspiratory flow begins; one that was not measured in this breath is empty. Of pleural, gastric
+/// and transdiaphragmatic pressure, two give the third (Pdi = Pga - Ppl).
 struct BreathLoop {
-  double inspiration_s = 0, duration_s = 0;
+  double inspiration_s = 0;  ///< until flow turns
+  double duration_s = 0;
+  double flow_begins_s = 0;                          ///< the next breath's flow, at the end of this one
   std::vector<double> time_s, volume_m3, flow_m3_s;  ///< [samples]
   std::vector<double> pleural_Pa, gastric_Pa, transdiaphragmatic_Pa, airway_Pa;
 
@@ -21,7 +23,9 @@ struct BreathLoop {
 };
 
 /// Returns the loop of the mean breath, and of the breath at a position in `used`. The flow is the slope of
-/// the volume over 0.05 s on either side (our choice).
+/// the volume over 0.05 s on either side, as if the breath repeated. It begins where it exceeds 3 % of its
+/// peak, which for a flow that rises steadily is where it leaves 0, within the last 0.3 s; and inspiration
+/// ends where it changes its sign, within a fifth of either phase (our choice).
 BreathLoop mean_loop(const MeasuredBreath& breath);
 BreathLoop loop_of(const MeasuredBreath& breath, std::size_t used);
 

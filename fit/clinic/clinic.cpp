@@ -28,7 +28,7 @@ struct Case {
   double per_minute() const { return s_per_min / loop.duration_s; }
 
   /// Returns the fall of pleural pressure before flow begins: intrinsic PEEP, positive.
-  double intrinsic_peep_Pa() const { return -change_before_flow(loop, loop.pleural_Pa, -1); }
+  double intrinsic_peep_Pa() const { return 0 - change_before_flow(loop, loop.pleural_Pa, -1); }
 
   /// The work on the lung in inspiration: the area left of the pressure at end-expiration.
   double lung_work_J() const { return -over_inspired_volume(loop, loop.pleural_Pa); }

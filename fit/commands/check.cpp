@@ -13,6 +13,7 @@
 #include "scenarios/keys.hpp"
 #include "sheet/sheet.hpp"
 #include "subject/check_fit.hpp"
+#include "subject/clinic_json.hpp"
 
 namespace trunk {
 namespace {
@@ -102,6 +103,8 @@ void check_trace(const CheckRequest& request, Findings& findings) {
       findings.notes.push_back(gate.sentence);
     }
     findings.notes.insert(findings.notes.end(), screening.notes.begin(), screening.notes.end());
+    if (!segmentation.channels.empty() || segmentation.excursion_m)
+      findings.json["channels"] = channels_json(segmentation);
     findings.json["breaths_used"] = breath.breaths_used;
     findings.json["tidal_volume_ml"] = ml_per_m3 * breath.tidal_volume_m3;
     findings.text +=

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "math/units.hpp"
+
 namespace trunk {
 
 Json clinic_json(const std::vector<ClinicNumber>& numbers) {
@@ -19,6 +21,14 @@ Json clinic_json(const std::vector<ClinicNumber>& numbers) {
 Json clinic_json_of(const std::vector<ClinicNumber>& numbers, std::size_t used) {
   Json json = Json::object();
   for (const ClinicNumber& n : numbers) json[n.name] = json_number(n.each[used]);
+  return json;
+}
+
+Json channels_json(const Segmentation& s) {
+  Json json = Json::object();
+  for (const TraceChannel& channel : s.channels)
+    json[std::string(option_of(channel.kind))] = {{"column", channel.column}, {"unit", channel.unit}};
+  if (s.excursion_m) json["excursion"] = {{"value", mm_per_m * *s.excursion_m}, {"unit", "mm"}};
   return json;
 }
 

@@ -115,6 +115,7 @@ Json breaths_json(const Segmentation& s, const std::vector<ClinicNumber>& clinic
     json[units.ventilation_key()] = units.ventilation(total.volume_m3 / total.duration_s);
     json["median"] = as_object(medians_of(kept, units));
   }
+  if (!s.channels.empty() || s.excursion_m) json["channels"] = channels_json(s);
   if (!clinic.empty()) json["clinic"] = clinic_json(clinic);
   Json list = Json::array();
   std::size_t used = 0;

@@ -11,19 +11,21 @@ namespace trunk {
 namespace {
 
 struct Column {
-  const char *name, *head, *unit;
+  const char *name, *head, *unit, *words;
 };
 constexpr std::array columns{
-    Column{"pleural_swing_cmH2O", "dPpl", "cmH2O"},
-    Column{"gastric_swing_cmH2O", "dPga", "cmH2O"},
-    Column{"transdiaphragmatic_swing_cmH2O", "dPdi", "cmH2O"},
-    Column{"work_of_breathing_J_per_L", "WOB", "J/L"},
-    Column{"pressure_time_product_pleural_cmH2O_s_per_min", "PTPpl", "/min"},
-    Column{"pressure_time_product_transdiaphragmatic_cmH2O_s_per_min", "PTPdi", "/min"},
-    Column{"tension_time_index", "TTdi", "1"},
-    Column{"dynamic_lung_compliance_ml_per_cmH2O", "Cdyn", "ml/cm"},
-    Column{"lung_resistance_cmH2O_s_per_L", "R", "cm s/L"},
-    Column{"intrinsic_peep_cmH2O", "PEEPi", "cmH2O"}};
+    Column{"pleural_swing_cmH2O", "dPpl", "cmH2O", "pleural pressure swings by"},
+    Column{"gastric_swing_cmH2O", "dPga", "cmH2O", "gastric pressure swings by"},
+    Column{"transdiaphragmatic_swing_cmH2O", "dPdi", "cmH2O", "transdiaphragmatic pressure swings by"},
+    Column{"work_of_breathing_J_per_L", "WOB", "J/L", "inspiratory work of breathing"},
+    Column{"pressure_time_product_pleural_cmH2O_s_per_min", "PTPpl", "/min",
+           "pressure-time product, pleural"},
+    Column{"pressure_time_product_transdiaphragmatic_cmH2O_s_per_min", "PTPdi", "/min",
+           "pressure-time product, transdiaphragmatic"},
+    Column{"tension_time_index", "TTdi", "1", "tension-time index"},
+    Column{"dynamic_lung_compliance_ml_per_cmH2O", "Cdyn", "ml/cm", "dynamic lung compliance"},
+    Column{"lung_resistance_cmH2O_s_per_L", "R", "cm s/L", "lung resistance"},
+    Column{"intrinsic_peep_cmH2O", "PEEPi", "cmH2O", "intrinsic PEEP"}};
 
 using Value = std::function<double(const ClinicNumber&)>;
 
@@ -62,7 +64,7 @@ std::string clinic_lines(const std::vector<ClinicNumber>& numbers) {
   for (const Column& column : columns)
     for (const ClinicNumber& n : numbers)
       if (n.name == column.name)
-        text += fmt::format("  {:<48} {:>8}  {:>18}  {}\n", n.meaning, cell(n.mean),
+        text += fmt::format("  {:<42}{:>8}  {:>18}  {}\n", column.words, cell(n.mean),
                             fmt::format("{} to {}", cell(n.lower95), cell(n.upper95)),
                             n.unit == "1" ? "" : n.unit);
   return text.empty() ? "" : "measured, mean over breaths with 95 % interval\n" + text;
