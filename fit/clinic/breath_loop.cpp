@@ -13,7 +13,7 @@ using Curve = std::vector<double>;
 
 // Returns the slope of a straight line through the samples near each one, at least its neighbours. The breath
 // repeats: its first and its last sample are the same moment.
-Curve slopes(const Curve& time, const Curve& value) {
+Curve slopes(const Curve& time, const Curve& value, double half_s) {
   Curve slope;
   const auto n = static_cast<std::ptrdiff_t>(time.size()) - 1;
   const auto place = [n](std::ptrdiff_t i) { return static_cast<std::size_t>((i + n) % n); };
@@ -22,8 +22,8 @@ Curve slopes(const Curve& time, const Curve& value) {
   };
   for (std::ptrdiff_t k = 0; k <= n; ++k) {
     std::ptrdiff_t first = k - 1, last = k + 1;
-    while (k - first < n / 2 && time_of(k) - time_of(first - 1) <= slope_half_s) --first;
-    while (last - k < n / 2 && time_of(last + 1) - time_of(k) <= slope_half_s) ++last;
+    while (k - first < n / 2 && time_of(k) - time_of(first - 1) <= half_s) --first;
+    while (last - k < n / 2 && time_of(last + 1) - time_of(k) <= half_s) ++last;
     const auto count = static_cast<double>(last - first + 1);
     double mean_time = 0, mean_value = 0, covariance = 0, variance = 0;
     for (auto i = first; i <= last; ++i)
@@ -41,9 +41,11 @@ Curve slopes(const Curve& time, const Curve& value) {
 void find_turn(BreathLoop& loop) {
   const double landmark = loop.inspiration_s, from = (1 - turn_part) * landmark,
                until = landmark + turn_part * (loop.duration_s - landmark);
+  const Curve flow =
+      slopes(loop.time_s, loop.volume_m3, 0);  // a smooth one turns too early where it falls fast
   double nearest = HUGE_VAL;
   for (std::size_t i = 1; i < loop.time_s.size(); ++i) {
-    const double before = loop.flow_m3_s[i - 1], after = loop.flow_m3_s[i];
+    const double before = flow[i - 1], after = flow[i];
     if (!(before > 0 && after <= 0) || loop.time_s[i] < from || loop.time_s[i - 1] > until) continue;
     const double turn =
         loop.time_s[i - 1] + (loop.time_s[i] - loop.time_s[i - 1]) * before / (before - after);
@@ -90,7 +92,7 @@ void complete(BreathLoop& loop) {
 }
 
 void finish(BreathLoop& loop) {
-  loop.flow_m3_s = slopes(loop.time_s, loop.volume_m3);
+  loop.flow_m3_s = slopes(loop.time_s, loop.volume_m3, slope_half_s);
   find_turn(loop);
   find_begin(loop);
   for (Curve* curve : {&loop.pleural_Pa, &loop.gastric_Pa, &loop.transdiaphragmatic_Pa, &loop.airway_Pa})

@@ -25,7 +25,7 @@ struct BreathLoop {
 /// Returns the loop of the mean breath, and of the breath at a position in `used`. The flow is the slope of
 /// the volume over 0.05 s on either side, as if the breath repeated. It begins where it exceeds 3 % of its
 /// peak, which for a flow that rises steadily is where it leaves 0, within the last 0.3 s; and inspiration
-/// ends where it changes its sign, within a fifth of either phase (our choice).
+/// ends where the slope between neighbours changes its sign, within a fifth of either phase (our choice).
 BreathLoop mean_loop(const MeasuredBreath& breath);
 BreathLoop loop_of(const MeasuredBreath& breath, std::size_t used);
 
