@@ -110,12 +110,9 @@ std::vector<double> make_sheet(const TrunkMesh& m, const Tissue& tissue, Model& 
   const double finer = m.fineness * m.fineness;
   for (double& weight : model.shape_memory.stiffness_weight) weight /= finer;
   std::vector<double> factor = lay_sheet(m.abdomen, m.rest, model.shape_memory);
-  const std::vector<double> area = particle_areas(m.abdomen, m.rest);
-  for (std::size_t i = 0; i < area.size(); ++i) {
-    if (area[i] == 0.0) continue;
-    model.mass[i] = std::max(model.mass[i], tissue.particle_mass * factor[i] / (finer * finer));
-    if (tissue.damping == DampingBy::particle) model.damping_weight[i] *= finer * area[i] / sheet_area;
-  }
+  for (const int i : model.shape_memory.rings.vertex)
+    model.mass[index(i)] =
+        std::max(model.mass[index(i)], tissue.particle_mass * factor[index(i)] / (finer * finer));
   constexpr double usual_width = 0.070;  // m, of a strip of the 113-particle template
   const std::vector<double> width = muscle_widths(m);
   for (std::size_t line = 0; line < width.size(); ++line)
@@ -176,7 +173,8 @@ TrunkMesh::Given healthy_tissue(const TrunkMesh& m, const Tissue& tissue) {
   const double finer = m.fineness * m.fineness;
   TrunkMesh::Given field;
   field.mass.assign(m.rest.size(), tissue.particle_mass / finer);
-  field.damping = damping_weights(m, tissue.damping);
+  field.damping =
+      damping_weights(m, tissue.elasticity == ElasticLaw::sheet ? DampingBy::area : tissue.damping);
   field.stiffness.assign(m.rest.size(), finer);
   for (int i : m.named("central_tendon")) field.stiffness[index(i)] *= tissue.tendon_factor;
   field.mass = preferred(m.given.mass, std::move(field.mass));

@@ -2,12 +2,12 @@
 
 import numpy as np
 
-from oracle.elasticity import cross, dot
 from oracle.rings import rings_of
-from oracle.sheet import AREA, areas, ring_weights, stiffness_factor
+from oracle.sheet import areas, ring_weights, stiffness_factor
 
 DIAPHRAGM = ("costal_insertion", "zone_of_apposition", "muscular_dome", "central_tendon")
 ABDOMINAL = ("pelvis", "abdominal_wall")
+TEMPLATE_AREA = 4.554e-3  # m2, the mean of its elastic particles
 RIB_CAGE = ("costal_insertion", "lung_wall", "lung_top")
 
 
@@ -89,12 +89,9 @@ class Tissue:
         everywhere = np.ones(rest.shape[1])
         self.mass = s["tissue"]["particle_mass_kg"] / n**2 * everywhere
         share_of_damping = everywhere / n**2
-        if s["tissue"].get("damping") == "area":
-            a, b, c = (rest[:, corner] for corner in anatomy.surface.T)
-            normal = cross(b - a, c - a)
-            third = np.tile(0.5 * np.sqrt(dot(normal, normal)) / 3.0, 3)
-            area = np.bincount(anatomy.surface.T.ravel(), third, rest.shape[1])
-            share_of_damping = np.where(area > 0.0, area / 4.554e-3, share_of_damping)
+        if s["tissue"].get("damping") == "area" or s["tissue"].get("elasticity") == "sheet":
+            area = areas(anatomy.surface, rest)
+            share_of_damping = np.where(area > 0.0, area / TEMPLATE_AREA, share_of_damping)
         stiffness = n**2 * everywhere
         stiffness[anatomy.names["central_tendon"]] *= s["tissue"]["tendon_stiffness_factor"]
         strength = 1.0 / n
@@ -130,7 +127,6 @@ class Tissue:
         on_sheet = area > 0.0
         self.stiffness *= self.sheet_factor / n**2
         self.mass = np.where(on_sheet, np.maximum(self.mass, particle_mass * self.sheet_factor / n**4), self.mass)
-        self.damping = np.where(on_sheet, self.damping * n**2 * area / AREA, self.damping)
         insertions = rest[:, anatomy.muscle_lines[:, 0]]
         step = np.linalg.norm(np.roll(insertions, -1, axis=1) - insertions, axis=0)
         width = 0.5 * (step + np.roll(step, 1))

@@ -174,6 +174,14 @@ class Oracle(TrunkTest):
         self.assert_agrees(self.scenario(BUCKET_HANDLE + FREE_TENDON), *RUBBING, "--set", "geometry.resolution=2",
                            "--set", "time.dt_ms=0.5", "--set", "time.duration_s=0.2", steps=400)
 
+    def test_sheet_with_slivers_and_again_from_a_trunk_file(self):
+        """The subject's mesh has thin triangles, whose weights meet their bound."""
+        sheet = ("--set", "tissue.elasticity=sheet", "--set", "paralysis.side=right", "--set", "time.dt_ms=2",
+                 "--set", f"time.duration_s={0.002 * SHORT_STEPS:.3f}")
+        self.assert_agrees(SCENARIOS / "craighero.toml", *sheet, steps=SHORT_STEPS)
+        self.succeeds("export", "run.h5", "--pml", "trunk")
+        self.assert_agrees("trunk/scenario.toml", steps=SHORT_STEPS)
+
     def test_breathing_that_repeats(self):
         """The oracle finds the breath that repeats by itself: it breathes from rest until two breaths are the same."""
         breath = ("--set", "time.duration_s=1.2", "--set", "activation.onset_s=-0.1", "--set", "activation.rise_s=0.5",

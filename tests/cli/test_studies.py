@@ -1,6 +1,7 @@
 """The study scripts run, and show what README.md says of them."""
 
 import csv
+import os
 import subprocess
 import unittest
 
@@ -14,9 +15,9 @@ COLUMNS = ["breath", "costal_ring", "abdomen_stiffness_factor", "fibres", "react
 
 
 class StudyTest(TrunkTest):
-    def study(self, script, *arguments):
+    def study(self, script, *arguments, limit_s=120):
         return subprocess.run([SCRIPTS / script, *arguments], cwd=self.folder, capture_output=True, text=True,
-                              timeout=120)
+                              timeout=limit_s)
 
     def assert_no_program(self, script):
         done = self.study(script, "--trunk", "nowhere", "-o", "study")
@@ -76,6 +77,40 @@ class Mesh(StudyTest):
 
     def test_a_program_that_is_not_there(self):
         self.assert_no_program("study_mesh.py")
+
+
+class Sheet(StudyTest):
+    def volumes(self, *arguments):
+        done = self.study("study_sheet.py", *arguments, "--trunk", PROGRAM, "-o", "study", limit_s=3600)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertTrue(done.stdout.startswith("| "), done.stdout)
+        with open(self.folder / "study/sheet.csv", newline="", encoding="utf-8") as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual({row["status"] for row in rows}, {"completed"})
+        found = {}
+        for row in rows:
+            if row["mesh"] != "craighero":
+                found.setdefault((row["question"], row["elasticity"], row["resolution"]), []).append(
+                    float(row["delta_v_ml"] or 0))
+        return found
+
+    def test_five_triangulations_of_a_sheet_hold_the_same_volume(self):
+        volumes = self.volumes("--quick")["held", "sheet", "3"]
+        self.assertEqual(len(set(volumes)), 5)
+        self.assertLessEqual(max(volumes) / min(volumes), 1.05)
+
+    @unittest.skipUnless("TRUNK_NIGHTLY" in os.environ, "the whole study takes minutes")
+    def test_the_whole_study(self):
+        found = self.volumes()
+        for question in ("held", "breath"):
+            self.assertLessEqual(max(found[question, "sheet", "3"]) / min(found[question, "sheet", "3"]), 1.05)
+            coarse, fine = found[question, "sheet", "2"][0], found[question, "sheet", "4"][0]
+            self.assertLess(coarse / fine, 1.15)
+            coarse, fine = found[question, "ring", "2"][0], found[question, "ring", "4"][0]
+            self.assertGreater(coarse / fine, 1.15)
+
+    def test_a_program_that_is_not_there(self):
+        self.assert_no_program("study_sheet.py")
 
 
 class Published(StudyTest):
