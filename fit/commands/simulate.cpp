@@ -5,13 +5,13 @@
 #include "commands/commands.hpp"
 #include "files/replace_file.hpp"
 #include "math/units.hpp"
+#include "prediction/predict.hpp"
 #include "records/provenance.hpp"
 #include "records/run_record.hpp"
 #include "records/stored_subject.hpp"
 #include "results/write/write_run.hpp"
 #include "scenarios/build_trunk.hpp"
 #include "sheet/sheet.hpp"
-#include "subject/predict.hpp"
 
 namespace trunk {
 namespace {
@@ -22,24 +22,14 @@ struct SimulateRequest {
   std::optional<double> frame_every_ms;
 };
 
-/// Returns both ends of the interval of every number; none if there is no prediction.
-std::vector<NamedValue> intervals_of(const std::optional<Prediction>& prediction) {
-  std::vector<NamedValue> ends;
-  if (!prediction) return ends;
-  for (const Predicted& p : prediction->numbers) {
-    ends.push_back({p.name + "_lower95", p.unit, p.lower95});
-    ends.push_back({p.name + "_upper95", p.unit, p.upper95});
-  }
-  return ends;
-}
-
 Json summary(const Trunk& trunk, const Scenario& scenario, const BreathRun& run,
              const std::optional<Prediction>& prediction) {
   Json json{{"schema", "trunk.simulate/1"}, {"status", status_word(run.ending.status)}};
   for (const NamedValue& v : measures_of(run)) json[v.name] = json_number(v.value);
   if (prediction) {
     for (const Predicted& p : prediction->numbers) json[p.name] = json_number(p.value);
-    for (const NamedValue& v : intervals_of(prediction)) json[v.name] = json_number(v.value);
+    for (const NamedValue& v : intervals_of(prediction->numbers, prediction->failed))
+      json[v.name] = json_number(v.value);
     json["draws"] = prediction->delta_v_draws_m3.size();
     json["failed_draws"] = prediction->failed;
   }
@@ -85,8 +75,7 @@ std::string table(const BreathRun& run, const std::optional<Prediction>& predict
   return text;
 }
 
-/// Returns what the draws of the fit do in the scenario; none if there are no draws. What `settings` say
-/// holds for every draw, as --set overrides the fit. Throws Cancelled.
+/// Returns what the draws of the fit do in the scenario; none if there are no draws. Throws Cancelled.
 std::optional<Prediction> predicted(const StoredSubject& subject, const ScenarioFile& file,
                                     const Trunk& trunk, const std::vector<std::string>& settings) {
   if (subject.draws.empty()) return std::nullopt;
@@ -94,14 +83,10 @@ std::optional<Prediction> predicted(const StoredSubject& subject, const Scenario
   const Trunk own_trunk = build_trunk(own);
   Drawn at_home{{own_trunk, own.scenario.time}, {{own.scenario.parameters, own.scenario.activation}}},
       there{{trunk, file.scenario.time}, {{file.scenario.parameters, file.scenario.activation}}};
-  for (const Candidate& draw : subject.draws) {
-    ScenarioFile with = file;
-    with.scenario.parameters = draw.parameters;
-    with.scenario.activation = draw.activation;
-    apply_settings(settings, with);
-    at_home.candidates.push_back(draw);
-    there.candidates.push_back({with.scenario.parameters, with.scenario.activation});
-  }
+  std::vector<Setting> all;
+  for (const std::string& text : settings) all.push_back(setting_of(text));
+  for (const Candidate& draw : subject.draws) at_home.candidates.push_back(draw);
+  for (const Candidate& draw : draws_in(file, subject.draws, all)) there.candidates.push_back(draw);
   Execution execution;
   execution.cancelled = [] { return interrupted(); };
   return predict(at_home, {{file.path, there}}, execution).front();
@@ -123,7 +108,7 @@ Exit simulate_command(const Common& common, const SimulateRequest& request) {
   const BreathRun run = run_breath(trunk, file.scenario, frame_stride(file.scenario));
   const std::optional<Prediction> prediction = predicted(subject, file, trunk, request.settings);
   RunRecord record = run_record(file, trunk, run, {}, provenance_of(file.inputs, common.argv));
-  record.intervals = intervals_of(prediction);
+  if (prediction) record.intervals = intervals_of(prediction->numbers, prediction->failed);
   write_run(request.output, record);
 
   if (subject.own && !prediction)

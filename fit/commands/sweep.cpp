@@ -53,6 +53,12 @@ Exit sweep_command(const Common& common, SweepRequest request) {
   options.argv = common.argv;
   const SweepDesign design = read_sweep_design(request.design);
   const SweepFolder folder(request.folder, design, options.shard, common.force);
+  if (design.intervals && design.draws > 0)
+    print_note(
+        fmt::format("note: each run of a subject that was fitted is simulated with up to {} draws of its "
+                    "fit, so that its "
+                    "row has intervals; [output] intervals = false in the sweep file leaves them out",
+                    design.draws));
   catch_interrupts();
   const auto start = std::chrono::steady_clock::now();
   const SweepOutcome o = run_sweep(design, folder, options, &show_progress, [] { return interrupted(); });

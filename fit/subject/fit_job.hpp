@@ -2,6 +2,7 @@
 
 #include "subject/fit_outcome.hpp"
 #include "subject/fit_request.hpp"
+#include "subject/other_scenario.hpp"
 
 namespace trunk {
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "clinic/clinic.hpp"
+#include "prediction/predict.hpp"
 #include "subject/each_breath.hpp"
-#include "subject/predict.hpp"
 
 namespace trunk {
 

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "clinic/clinic.hpp"
+#include "prediction/predict.hpp"
 #include "results/records.hpp"
 #include "subject/each_breath.hpp"
-#include "subject/predict.hpp"
 
 namespace trunk {
 

@@ -38,6 +38,16 @@ std::vector<double> numbers_of(const std::vector<NamedValue>& values) {
   return numbers;
 }
 
+/// Returns the intervals of a run's measures. `draws` are the breaths of the subject's draws.
+std::vector<NamedValue> intervals_of(const BreathSummary& breath, std::span<const BreathSummary> draws) {
+  if (draws.empty()) return {};
+  std::vector<std::vector<NamedValue>> rows = {measures_of(breath)};
+  for (const BreathSummary& draw : draws) rows.push_back(measures_of(draw));
+  const auto failed =
+      std::count_if(draws.begin(), draws.end(), [](const auto& draw) { return !draw.ending.completed(); });
+  return trunk::intervals_of(predicted_measures(rows), static_cast<int>(failed));
+}
+
 SweepRow row_of(std::size_t run, const BreathSummary& breath, double dt_s, bool with_curve) {
   SweepRow row{run,   status_word(breath.ending.status), "", now_s(),
                false, numbers_of(measures_of(breath)),   {}};
@@ -109,14 +119,20 @@ class Running {
 
   void summarise(std::span<const PreparedRun> runs, const TimeGrid& grid) {
     std::vector<Trial<double>> trials;
-    for (const PreparedRun& p : runs) trials.push_back(trial_of(p));
+    for (const PreparedRun& p : runs) {
+      trials.push_back(trial_of(p));
+      trials.insert(trials.end(), p.draws.begin(), p.draws.end());
+    }
     try {
       const std::vector<BreathSummary> breaths =
           summarise_breaths(batch_.trunk, trials, grid, watchdog(runs.size()));
-      for (std::size_t i = 0; i < runs.size(); ++i)
-        done_.push_back(
-            {row_of(runs[i].run, breaths[i], grid.dt_s, batch_.design.store != SweepDesign::Store::summary),
-             std::nullopt});
+      const bool with_curve = batch_.design.store != SweepDesign::Store::summary;
+      auto breath = breaths.begin();
+      for (const PreparedRun& p : runs) {
+        done_.push_back({row_of(p.run, *breath, grid.dt_s, with_curve), std::nullopt});
+        done_.back().row.intervals = numbers_of(intervals_of(*breath, {breath + 1, p.draws.size()}));
+        breath += 1 + static_cast<std::ptrdiff_t>(p.draws.size());
+      }
     } catch (const TimedOut&) {
       if (runs.size() == 1)
         time_out(runs.front());  // of several, only one may be slow: the caller tries each
@@ -126,12 +142,16 @@ class Running {
   void simulate_in_full(const PreparedRun& p) {
     const Scenario& scenario = p.file.scenario;
     const auto stride = std::lround(s_per_ms * batch_.design.frame_every_ms / scenario.time.dt_s);
+    const WhileSimulated check = watchdog(1);
     try {
-      const BreathRun run =
-          run_breath(batch_.trunk, scenario, std::max(1, static_cast<int>(stride)), watchdog(1));
+      const BreathRun run = run_breath(batch_.trunk, scenario, std::max(1, static_cast<int>(stride)), check);
+      const std::vector<NamedValue> intervals =
+          intervals_of(run, summarise_breaths(batch_.trunk, p.draws, scenario.time, check));
       done_.push_back({row_of(p.run, run, scenario.time.dt_s, true),
                        run_record(p.file, batch_.trunk, run, {}, batch_.provenance)});
       done_.back().row.has_file = true;
+      done_.back().row.intervals = numbers_of(intervals);
+      done_.back().record->intervals = intervals;
     } catch (const TimedOut&) {
       time_out(p);
     }
@@ -154,7 +174,8 @@ SweepRow row_of(std::size_t run, const StoredRun& s) {
           now_s(),
           true,
           numbers_of(s.measures),
-          thinned(s.curve_dV_ml, 1.0, [&](std::size_t i) { return s.curve_time_s[i]; })};
+          thinned(s.curve_dV_ml, 1.0, [&](std::size_t i) { return s.curve_time_s[i]; }),
+          numbers_of(s.intervals)};
 }
 
 SweepRow failed_row(std::size_t run, const std::string& status, const std::string& error) {

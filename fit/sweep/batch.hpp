@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "prediction/predict.hpp"
 #include "results/read/stored_run.hpp"
 #include "results/records.hpp"
 #include "scenarios/read_scenario.hpp"
@@ -42,10 +43,11 @@ struct RunLimits {
   ClockS clock_s = steady_clock_s;  // what times are measured by; tests have their own
 };
 
-/// A run that is ready to be simulated.
+/// A run that is ready to be simulated, and what its subject may be instead.
 struct PreparedRun {
   std::size_t run;
   ScenarioFile file;
+  std::vector<Candidate> draws{};  // empty: its row has no intervals
 };
 
 /// Runs of one trunk. Each gives the same result, alone or side by side with others.

@@ -35,6 +35,8 @@ struct SweepDesign {
   std::size_t points = 1;  // of the sample
   Store store = Store::full;
   double frame_every_ms = 100.0;  // 10 times the default of scenarios, to keep files small
+  bool intervals = true;          // rows have intervals, where the subject is a fit that keeps draws
+  std::size_t draws = 0;          // the most that one subject has; only read_sweep_design counts them
 
   std::size_t runs() const noexcept;
 
@@ -63,8 +65,8 @@ struct SweepDesign {
 /// activation replace the scenario's), `[grid]` with "scenario.key" = [values] or { from, to, count, scale =
 /// "linear" | "log" },
 /// `[sample]` with `method = "sobol" | "latin_hypercube"`, `points`, `seed` and "scenario.key" = { from, to,
-/// scale }, and `[output] frame_every_ms`. File names are relative to `path`. Throws InputError with file and
-/// line.
+/// scale }, and `[output] frame_every_ms, intervals = true | false`. File names are relative to `path`.
+/// Throws InputError with file and line.
 SweepDesign parse_sweep_design(const std::string& text, const std::string& path);
 
 /// Returns the design in a file. It also reads every file that the design names, and tries every key and

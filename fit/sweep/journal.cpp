@@ -44,6 +44,7 @@ std::string bytes_of(const SweepRow& row) {
   put(body, row.has_file);
   put(body, row.measures);
   put(body, row.curve);
+  if (!row.intervals.empty()) put(body, row.intervals);
   std::string bytes;
   put(bytes, static_cast<std::uint32_t>(body.size()));
   return bytes + body + sha256_of_text(body).substr(0, checksum_size);
@@ -86,6 +87,7 @@ bool parse(std::string_view body, SweepRow& row) {
   parser.take(&has_file, sizeof has_file);
   parser.take(row.measures);
   parser.take(row.curve);
+  if (parser.ok && !parser.rest.empty()) parser.take(row.intervals);
   row.has_file = has_file != 0;
   return parser.ok && parser.rest.empty();
 }

@@ -13,11 +13,12 @@ namespace trunk {
 /// The row of a run that has ended.
 struct SweepRow {
   std::uint64_t run = 0;
-  std::string status, error;     // "completed", or how the run ended and why
-  double ended_at = 0.0;         // s since 1970, by the clock of the machine that ran it
-  bool has_file = false;         // true if its record is in runs/
-  std::vector<double> measures;  // as in measures_of(); empty if the run never began
-  std::vector<double> curve;     // dV in ml every curve_step_s; empty if it is not stored
+  std::string status, error;        // "completed", or how the run ended and why
+  double ended_at = 0.0;            // s since 1970, by the clock of the machine that ran it
+  bool has_file = false;            // true if its record is in runs/
+  std::vector<double> measures;     // as in measures_of(); empty if the run never began
+  std::vector<double> curve;        // dV in ml every curve_step_s; empty if it is not stored
+  std::vector<double> intervals{};  // as in intervals_of(); empty if the subject has no draws
 };
 
 /// A file of rows, in the order in which runs end. An appended row outlives the process, whenever that ends.

@@ -60,11 +60,11 @@ class DesignReader {
       read_grid(table(node, key));
     else if (key == "sample")
       read_sample(table(node, key));
-    else if (key == "output" && node.is_table() && node.as_table()->size() == 1)
-      read_output(*node.as_table());
+    else if (key == "output")
+      read_output(table(node, key));
     else
       fail(node, fmt::format("unknown key '{}'", key),
-           "schema, title, store, scenarios, subjects, [grid], [sample] or [output] frame_every_ms");
+           "schema, title, store, scenarios, subjects, [grid], [sample] or [output]");
   }
 
   double number(const toml::node* node, const toml::node& parent, const std::string& what) const {
@@ -205,9 +205,26 @@ class DesignReader {
   }
 
   void read_output(const toml::table& output) {
-    design_.frame_every_ms = number(output.get("frame_every_ms"), output, "output.frame_every_ms");
+    for (const auto& [key, node] : output)
+      if (key == "frame_every_ms")
+        read_frame_every(node);
+      else if (key == "intervals")
+        design_.intervals = yes_or_no(node, "output.intervals");
+      else
+        fail(node, fmt::format("unknown key '{}' in [output]", std::string(key.str())),
+             "frame_every_ms or intervals");
+  }
+
+  void read_frame_every(const toml::node& node) {
+    design_.frame_every_ms = number(&node, node, "output.frame_every_ms");
     if (design_.frame_every_ms <= 0)
-      fail(output, fmt::format("output.frame_every_ms is {}", design_.frame_every_ms), "a number above 0");
+      fail(node, fmt::format("output.frame_every_ms is {}", design_.frame_every_ms), "a number above 0");
+  }
+
+  bool yes_or_no(const toml::node& node, const std::string& what) const {
+    const auto value = node.value_exact<bool>();
+    if (!value) fail(node, what + " is " + shown(node), "true or false");
+    return *value;
   }
 
   SweepDesign& design_;
@@ -220,7 +237,8 @@ std::vector<double> some_of(const std::vector<double>& values) {
 }
 
 /// Tries every file, key and value, so that a mistake shows before the first run and not after an hour.
-void try_everything(const SweepDesign& design) {
+/// => design.draws
+void try_everything(SweepDesign& design) {
   std::error_code ignored;
   for (const auto& source : design.scenarios) {
     if (!std::filesystem::exists(source.path, ignored))
@@ -241,7 +259,9 @@ void try_everything(const SweepDesign& design) {
   }
   for (const auto& subject : design.subjects) try {
       Scenario trial;
-      breathe_as(read_stored_subject(subject.path), trial);
+      const StoredSubject stored = read_stored_subject(subject.path);
+      breathe_as(stored, trial);
+      design.draws = std::max(design.draws, stored.draws.size());
     } catch (const InputError& error) {
       rethrow_named_in(subject.at, error);
     }

@@ -18,7 +18,10 @@ struct SweepSimulator::Ready {
 
 SweepSimulator::SweepSimulator(const SweepDesign& design, Provenance provenance, RunLimits limits)
     : design_(design), provenance_(std::move(provenance)), limits_(std::move(limits)) {
-  for (const auto& subject : design.subjects) subjects_.push_back(read_stored_subject(subject.path));
+  for (const auto& subject : design.subjects) {
+    subjects_.push_back(read_stored_subject(subject.path));
+    if (!design.intervals) subjects_.back().draws.clear();
+  }
   subject_repeats_ = std::any_of(subjects_.begin(), subjects_.end(), [](const StoredSubject& s) {
     return s.own && s.own->scenario.time.start == Start::periodic;
   });
@@ -27,7 +30,9 @@ SweepSimulator::SweepSimulator(const SweepDesign& design, Provenance provenance,
 SweepSimulator::~SweepSimulator() = default;
 
 std::size_t SweepSimulator::together() const noexcept {
-  return design_.store == SweepDesign::Store::full ? 1 : batch_lanes();
+  const bool drawn = std::any_of(subjects_.begin(), subjects_.end(),
+                                 [](const StoredSubject& s) { return !s.draws.empty(); });
+  return design_.store == SweepDesign::Store::full || drawn ? 1 : batch_lanes();
 }
 
 std::shared_ptr<const SweepSimulator::Ready> SweepSimulator::ready_for(std::size_t run) const {
@@ -57,9 +62,12 @@ std::vector<FinishedRun> SweepSimulator::operator()(std::span<const std::size_t>
         const SweepDesign::Run r = design_.run(run);
         ScenarioFile file = ready->file;
         if (!subjects_.empty()) breathe_as(subjects_[r.subject], file.scenario);
-        apply_settings(design_.settings_of(r.values), file);
+        const std::vector<Setting> settings = design_.settings_of(r.values);
+        apply_settings(settings, file);
         require_repeating(file.scenario);
         prepared.push_back({run, std::move(file)});
+        if (!subjects_.empty())
+          prepared.back().draws = draws_in(prepared.back().file, subjects_[r.subject].draws, settings);
       } catch (const std::exception& error) {
         fail_run(run, error);
       }

@@ -16,7 +16,7 @@ class SweepSimulator {
   SweepSimulator(const SweepDesign& design, Provenance provenance, RunLimits limits);
   ~SweepSimulator();
 
-  /// Returns how many runs to pass at once for the best speed.
+  /// Returns how many runs to pass at once for the best speed. The draws of one subject fill all lanes.
   std::size_t together() const noexcept;
 
   /// Returns the outcomes of runs of the same model, simulated side by side if no trajectory is stored. Each

@@ -9,6 +9,7 @@
 
 #include "errors/input_error.hpp"
 #include "files/replace_file.hpp"
+#include "prediction/predicted.hpp"
 #include "records/provenance.hpp"
 #include "records/run_record.hpp"
 #include "results/write/write_sweep.hpp"
@@ -49,15 +50,24 @@ SweepRecord empty_table(const SweepDesign& design) {
   return table;
 }
 
+/// Adds the columns of intervals, once a row has some: then a subject is a fit that keeps draws.
+void add_interval_columns(const SweepDesign& design, SweepRecord& table) {
+  std::vector<Predicted> numbers;
+  for (const NamedValue& m : measures_of(BreathSummary())) numbers.push_back({m.name, m.unit});
+  for (const NamedValue& end : intervals_of(numbers, 0))
+    table.columns.push_back({end.name, end.unit, std::vector<double>(design.runs(), no_number)});
+}
+
 void enter(const SweepRow& row, std::size_t first_measure, SweepRecord& table) {
   const std::size_t run = row.run;
   table.status[run] = row.status;
   table.error[run] = row.error;
   table.run_file[run] = row.has_file ? SweepFolder::run_file_name(run) : "";
   const bool completed = row.status == "completed";
+  std::vector<double> numbers = row.measures;
+  numbers.insert(numbers.end(), row.intervals.begin(), row.intervals.end());
   for (std::size_t m = 0; first_measure + m < table.columns.size(); ++m)
-    table.columns[first_measure + m].values[run] =
-        completed && m < row.measures.size() ? row.measures[m] : no_number;
+    table.columns[first_measure + m].values[run] = completed && m < numbers.size() ? numbers[m] : no_number;
 }
 
 /// Removes the columns of what only a lung has if no run has one.
@@ -105,9 +115,11 @@ std::string csv_of(const SweepRecord& table) {
 
 TableOutcome write_table(const SweepDesign& design, const SweepFolder& folder, const std::string& argv) {
   SweepRecord table = empty_table(design);
-  const std::size_t parameters = design.axes().size();
+  const std::size_t parameters = design.axes().size(), without_intervals = table.columns.size();
   std::vector<std::size_t> samples(design.runs(), 0);
   folder.for_each_row([&](const SweepRow& row) {
+    if (!row.intervals.empty() && table.columns.size() == without_intervals)
+      add_interval_columns(design, table);
     enter(row, parameters, table);
     samples[row.run] = row.curve.size();
   });

@@ -8,7 +8,7 @@ import unittest
 
 import h5py
 
-from support import FAST_FIT, HEALTHY, ROOT, SCENARIOS, TrunkTest, breaths, csv, trace
+from support import COARSE, FAST_FIT, HEALTHY, ROOT, SCENARIOS, TrunkTest, breaths, csv, trace
 
 PARALYSED = str(SCENARIOS / "hemiparalysis_right.toml")
 FITTED = (0, 4)
@@ -131,6 +131,56 @@ class Prediction(TrunkTest):
             alone = self.succeeds("simulate", scenario, "-o", "r.h5", "--force", "--from", "f.h5", "--set", "time.dt_ms=3")
             self.assertEqual(float(row["delta_v_ml"]), alone["delta_v_ml"])
             self.assertNotEqual(float(row["end_expiratory_above_relaxation_ml"]), 0.0)
+
+    def test_a_row_of_a_sweep_has_the_intervals_of_the_run_alone(self):
+        self.predicted(*QUICK, "--draws", "16", text=noisy(5))
+        top = f'scenarios = ["{PARALYSED}"]\nsubjects = ["f.h5"]\n'
+        grid = '[grid]\n"parameters.damping_N_s_per_m" = [20, 25]\n"time.dt_ms" = [3]\n'
+        designs = {"all": 'store = "summary"\n', "off": 'store = "summary"\n', "whole": 'store = "full"\n'}
+        for name, store in designs.items():
+            self.file(f"{name}.toml", top + store + grid + ("[output]\nintervals = false\n" if name == "off" else ""))
+        table = lambda folder: (self.folder / folder / "table.csv").read_text()
+        rows = lambda folder: list(tables.DictReader(io.StringIO(table(folder))))
+        outcome = self.trunk("sweep", "all.toml", "-o", "all")
+        self.assertIn("up to 16 draws", outcome.err)
+        for row, damping in zip(rows("all"), (20, 25), strict=True):
+            alone = self.succeeds("simulate", PARALYSED, "-o", "r.h5", "--force", "--from", "f.h5", "--set", "time.dt_ms=3",
+                                  "--set", f"parameters.damping_N_s_per_m={damping}")
+            self.assertGreater(alone["delta_v_ml_upper95"], alone["delta_v_ml_lower95"])
+            for name in ("delta_v_ml", "excursion_right_mm", "delta_h_mm", "end_expiratory_above_relaxation_ml"):
+                for end in ("", "_lower95", "_upper95"):
+                    self.assertEqual(float(row[name + end]), alone[name + end], name + end)
+            self.assertEqual(float(row["failed_draws"]), 0)
+        with h5py.File(self.folder / "all/sweep.h5") as file:
+            self.assertEqual(list(file["table/delta_h_mm_upper95"]), [float(r["delta_h_mm_upper95"]) for r in rows("all")])
+
+        self.assertEqual(self.trunk("sweep", "off.toml", "-o", "off").err, "")
+        without = rows("off")
+        self.assertEqual(without, [{key: row[key] for key in without[0]} for row in rows("all")])
+        self.assertFalse([key for key in without[0] if key.endswith("95") or key == "failed_draws"])
+
+        for part in ("2/2", "1/2"):
+            self.succeeds("sweep", "all.toml", "-o", "shards", "--shard", part)
+        self.succeeds("merge", "shards")
+        self.assertEqual(table("shards"), table("all"))
+
+        self.succeeds("sweep", "whole.toml", "-o", "whole")
+        by_rows = table("whole")
+        for row, other in zip(rows("whole"), rows("all"), strict=True):
+            self.assertEqual(row, other)
+        journal = self.folder / "whole/journal/1-of-1"
+        journal.write_bytes(journal.read_bytes()[:-100])  # a crash between a run's file and its row
+        again = self.succeeds("sweep", "whole.toml", "-o", "whole")
+        self.assertEqual((again["found"], again["simulated"]), (2, 0))
+        self.assertEqual(table("whole"), by_rows)
+
+        self.succeeds("simulate", HEALTHY, "-o", "run.h5", *COARSE)
+        self.file("run.toml", f'scenarios = ["{PARALYSED}"]\nsubjects = ["run.h5", "f.h5"]\nstore = "summary"\n' + grid)
+        self.succeeds("sweep", "run.toml", "-o", "mixed")
+        mixed = rows("mixed")
+        self.assertEqual({row["delta_v_ml_lower95"] for row in mixed if row["subject"] == "run.h5"}, {""})
+        self.assertEqual([row["delta_v_ml_lower95"] for row in mixed if row["subject"] == "f.h5"],
+                         [row["delta_v_ml_lower95"] for row in rows("all")])
 
     def test_is_kept_with_the_fit(self):
         self.predicted(*ONE, "--draws", "16")

@@ -34,6 +34,16 @@ std::vector<std::uint64_t> runs_on_file(const std::filesystem::path& journal) {
 
 }  // namespace
 
+TEST_CASE("A row keeps its intervals, beside rows that have none", "[unit]") {
+  const test::TemporaryFolder folder;
+  SweepRow with = sweep_row(1, "completed", 2);
+  with.intervals = {0.5, 1.5, 0.0};
+  append_rows(folder / "j", {sweep_row(0, "completed", 1), with, sweep_row(2, "completed", 3)});
+  std::vector<std::vector<double>> read;
+  read_journal(folder / "j", "me", [&](const SweepRow& r) { read.push_back(r.intervals); });
+  CHECK(read == std::vector<std::vector<double>>{{}, {0.5, 1.5, 0.0}, {}});
+}
+
 TEST_CASE("A damaged byte of a journal costs one row, and rows can still be appended", "[unit]") {
   const test::TemporaryFolder folder;
   append_rows(folder / "whole", {});

@@ -55,6 +55,7 @@ StoredRun read_stored_run(const std::filesystem::path& path) {
     run.message = hdf5::read_attribute(root, "message");
     run.parameters = layout::read_numbers(root, "parameters");
     run.measures = layout::read_numbers(root, "measures");
+    if (hdf5::has_link(root, "intervals")) run.intervals = layout::read_numbers(root, "intervals");
     read_curve(root, run);
   });
   return run;

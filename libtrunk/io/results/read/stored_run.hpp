@@ -12,6 +12,7 @@ namespace trunk {
 struct StoredRun {
   std::string title, status, message;
   std::vector<NamedValue> parameters, measures;  ///< in the order of writing
+  std::vector<NamedValue> intervals;             ///< of the measures; empty if the run has none
   std::vector<double> curve_time_s;              ///< [Tc]
   std::vector<double> curve_dV_ml;               ///< [Tc]; empty if the run has no curve `dV_model`
 };

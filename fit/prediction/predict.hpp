@@ -1,14 +1,12 @@
 #pragma once
 
-#include "subject/subject_fit.hpp"
+#include <utility>
+
+#include "estimation/estimate.hpp"
+#include "prediction/predicted.hpp"
+#include "scenarios/read_scenario.hpp"
 
 namespace trunk {
-
-/// A number at the best estimate, and its median and interval over draws of the parameters. NaN: not known.
-struct Predicted {
-  std::string name, unit;
-  double value = 0.0, median = 0.0, lower95 = 0.0, upper95 = 0.0;
-};
 
 /// What the subject's trunk would do in another scenario.
 struct Prediction {
@@ -18,12 +16,6 @@ struct Prediction {
   std::vector<Predicted> numbers;
   std::vector<double> delta_v_draws_m3, own_draws_m3;  // [draws]; NaN if the simulation failed
   int failed = 0;  // draws of which one of the two simulations did not complete
-};
-
-/// A scenario to predict, with its trunk.
-struct OtherScenario {
-  ScenarioFile file;
-  Trunk trunk;
 };
 
 /// Where candidates are simulated. What it refers to must outlive it.
@@ -38,18 +30,14 @@ struct Drawn {
   std::vector<Candidate> candidates;
 };
 
-/// Reads a scenario and makes it breathe as the subject does: parameters, activation, duration and start are
-/// those of the fit; paralysis, loads and everything else are its own. `settings` are put over it as over the
-/// scenario of the fit. Throws InputError.
-OtherScenario other_scenario(const SubjectFit& fit, const std::filesystem::path& path,
-                             const std::vector<std::string>& settings);
-
-/// Returns whether the other trunk has the shape of the subject's at rest, to a micrometre.
-bool same_geometry(const SubjectFit& fit, const OtherScenario& other);
+/// Returns the draws as they breathe in a scenario. What `settings` say holds for every draw, as --set
+/// overrides the fit.
+std::vector<Candidate> draws_in(const ScenarioFile& file, const std::vector<Candidate>& draws,
+                                const std::vector<Setting>& settings);
 
 /// Simulates candidates in the subject's own scenario and in others, which have as many. Intervals are
 /// percentiles of the draws, so they cover what the fit's intervals cover, and not the error of the model.
-/// With fewer than 16 draws there are none. Throws Cancelled.
+/// Throws Cancelled.
 std::vector<Prediction> predict(const Drawn& own, const std::vector<std::pair<std::string, Drawn>>& others,
                                 const Execution& execution);
 

@@ -1,23 +1,15 @@
-#include "subject/predict.hpp"
-
-#include <gsl/gsl_statistics_double.h>
+#include "prediction/predict.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <span>
 
 #include "math/units.hpp"
 #include "parallel/workers.hpp"
 #include "records/run_record.hpp"
-#include "records/stored_subject.hpp"
-#include "scenarios/build_trunk.hpp"
 
 namespace trunk {
 namespace {
-
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-constexpr std::size_t fewest_draws = 16;  // fewer give no percentile of 2.5 % (our choice)
 
 using Row = std::vector<NamedValue>;  // the measures of one candidate
 
@@ -50,10 +42,10 @@ std::vector<std::vector<Row>> simulated(const std::vector<const Drawn*>& places,
   return rows;
 }
 
-/// Returns one measure of all candidates.
-std::vector<double> column(const std::vector<Row>& rows, std::size_t measure) {
+/// Returns the tidal volume of all candidates.
+std::vector<double> delta_v_ml(const std::vector<Row>& rows) {
   std::vector<double> values;
-  for (const Row& row : rows) values.push_back(row[measure].value);
+  for (const Row& row : rows) values.push_back(row.front().value);
   return values;
 }
 
@@ -67,37 +59,20 @@ std::vector<double> volumes_m3(std::vector<double> volumes_ml) {
   return volumes_ml;
 }
 
-Predicted predicted(const std::string& name, const std::string& unit, const std::vector<double>& values) {
-  Predicted p{name, unit, values.front(), unknown, unknown, unknown};
-  std::vector<double> sorted;
-  for (const double v : draws_of(values))
-    if (std::isfinite(v)) sorted.push_back(v);
-  if (sorted.size() < fewest_draws) return p;
-  std::sort(sorted.begin(), sorted.end());
-  const auto at = [&](double part) {
-    return gsl_stats_quantile_from_sorted_data(sorted.data(), 1, sorted.size(), part);
-  };
-  p.median = at(0.5);
-  p.lower95 = at(0.025);
-  p.upper95 = at(0.975);
-  return p;
-}
-
 }  // namespace
 
-OtherScenario other_scenario(const SubjectFit& fit, const std::filesystem::path& path,
-                             const std::vector<std::string>& settings) {
-  ScenarioFile file = read_scenario(path, settings);
-  breathe_as(fit.file().scenario, file.scenario);
-  Trunk trunk = build_timed_trunk(file, stiffer_in_searches);
-  return {std::move(file), std::move(trunk)};
-}
-
-bool same_geometry(const SubjectFit& fit, const OtherScenario& other) {
-  const auto& a = fit.trunk().mesh.rest;
-  const auto& b = other.trunk.mesh.rest;
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [](const Vec3d& p, const Vec3d& q) { return dot(p - q, p - q) < 1e-12; });
+std::vector<Candidate> draws_in(const ScenarioFile& file, const std::vector<Candidate>& draws,
+                                const std::vector<Setting>& settings) {
+  std::vector<Candidate> all;
+  ScenarioFile with = file;
+  for (const Candidate& draw : draws) {
+    with.scenario = file.scenario;
+    with.scenario.parameters = draw.parameters;
+    with.scenario.activation = draw.activation;
+    apply_settings(settings, with);
+    all.push_back({with.scenario.parameters, with.scenario.activation});
+  }
+  return all;
 }
 
 std::vector<Prediction> predict(const Drawn& own, const std::vector<std::pair<std::string, Drawn>>& others,
@@ -108,15 +83,14 @@ std::vector<Prediction> predict(const Drawn& own, const std::vector<std::pair<st
   const auto rows = simulated(places, execution);
 
   std::vector<Prediction> result;
-  const std::vector<double> own_ml = column(rows.front(), 0);
+  const std::vector<double> own_ml = delta_v_ml(rows.front());
   for (std::size_t k = 0; k < others.size(); ++k) {
     const std::vector<Row>& theirs = rows[k + 1];
-    const std::vector<double> ml = column(theirs, 0);
+    const std::vector<double> ml = delta_v_ml(theirs);
     std::vector<double> percent;
     for (std::size_t i = 0; i < ml.size(); ++i) percent.push_back(100.0 * ml[i] / own_ml[i]);
-    Prediction p{others[k].first, {}, volumes_m3(draws_of(ml)), volumes_m3(draws_of(own_ml)), 0};
-    for (std::size_t m = 0; m < theirs.front().size(); ++m)
-      p.numbers.push_back(predicted(theirs.front()[m].name, theirs.front()[m].unit, column(theirs, m)));
+    Prediction p{others[k].first, predicted_measures(theirs), volumes_m3(draws_of(ml)),
+                 volumes_m3(draws_of(own_ml)), 0};
     p.numbers.push_back(predicted("own_delta_v_ml", "ml", own_ml));
     p.numbers.push_back(predicted("ratio_percent", "percent", percent));
     p.failed = static_cast<int>(
