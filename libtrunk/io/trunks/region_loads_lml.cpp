@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <cmath>
 #include <optional>
 
 #include "errors/input_error.hpp"
@@ -83,11 +84,20 @@ std::vector<pml::LoadTarget> targets_of(const std::string& region) {
   return targets;
 }
 
+/// Returns a value in a unit of `factor` SI units. It is read back as the same value, unless no number is.
+double in_unit(double si, double factor) {
+  const double nearest = si / factor;
+  for (const double value : {nearest, std::nextafter(nearest, HUGE_VAL), std::nextafter(nearest, -HUGE_VAL)})
+    if (value * factor == si) return value;
+  return nearest;
+}
+
+/// The units are those that the schema of CamiTK has for each type of load.
 pml::Load load_of(const RegionLoad& load) {
   constexpr std::pair<pml::Load::Type, const char*> types[] = {{pml::Load::Type::force, "N"},
-                                                               {pml::Load::Type::translation, "m"},
-                                                               {pml::Load::Type::acceleration, "m/s2"},
-                                                               {pml::Load::Type::pressure, "Pa"}};
+                                                               {pml::Load::Type::translation, "mm"},
+                                                               {pml::Load::Type::acceleration, "m/s^2"},
+                                                               {pml::Load::Type::pressure, "kPa"}};
   const auto [type, unit] = types[static_cast<std::size_t>(load.kind)];
   pml::Axes axes;
   const double direction[] = {load.direction.x(), load.direction.y(), load.direction.z()};
@@ -103,9 +113,11 @@ pml::Load load_of(const RegionLoad& load) {
   pml::Load result;
   result.type = type;
   result.targets = targets_of(load.region);
-  for (const auto& event : load.magnitude.events()) result.events.push_back({event.time_s, event.value});
   result.direction = axes;
   result.unit = unit;
+  const double factor = pml::to_si(result);
+  for (const auto& event : load.magnitude.events())
+    result.events.push_back({event.time_s, in_unit(event.value, factor)});
   return result;
 }
 

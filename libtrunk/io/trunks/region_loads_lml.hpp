@@ -15,7 +15,8 @@ namespace trunk {
 /// an atom.
 std::vector<RegionLoad> read_region_loads(const std::filesystem::path& path);
 
-/// Returns the loads as an LML text.
+/// Returns the loads as an LML text in mm, N, kPa and m/s^2, units that CamiTK knows. Read back, a value
+/// differs by one unit in its last place at most.
 std::string region_loads_lml(const std::vector<RegionLoad>& loads);
 
 }  // namespace trunk
