@@ -4,6 +4,7 @@
 runtime_packages=(g++ cmake ninja-build pkg-config git
   libeigen3-dev libnlopt-dev libgsl-dev libhdf5-dev libsqlite3-dev libssl-dev
   libcli11-dev libfmt-dev nlohmann-json3-dev libtomlplusplus-dev libpugixml-dev libmatio-dev libedf-dev zlib1g-dev
+  liblz4-dev liblzma-dev
   python3 python3-h5py python3-matplotlib python3-numpy)
 
 # The tests also need other people's readers of the results (MDAnalysis and VTK take most of a minute), a browser with its

@@ -15,6 +15,8 @@ constexpr const char* sign_of_distance =
     "positive: the model lies on the side that the surface faces: above a diaphragm, outside a closed "
     "surface";
 
+constexpr double most_turn = 30.0;  // degrees, by --align; our choice: subjects lie straight in a scanner
+
 struct CompareRequest : SurfaceRequest {
   std::string run, output;
 };
@@ -40,6 +42,7 @@ Json repairs_json(const RepairReport& r) {
           {"triangles_turned", r.turned},
           {"slivers", r.slivers},
           {"specks", r.specks},
+          {"islands", r.islands},
           {"sheet_triangles", r.sheet_triangles},
           {"sheet_thickness_mm", mm_per_m * r.sheet_thickness},
           {"pieces", r.pieces},
@@ -146,7 +149,13 @@ Exit compare_command(const Common& common, const CompareRequest& request) {
     replace_file(request.output, std::as_bytes(std::span(map)));
   }
   print_result(common, compare_json(request, answer), compare_table(request, region, comparison));
-  return Exit::done;
+  const double turned = comparison.moved.angle * degrees_per_rad;
+  if (turned <= most_turn) return Exit::done;
+  print_error(fmt::format(
+      "--align turned the surface by {:.0f} degrees; expected at most {:g}; check its axes, and whether it "
+      "shows the {}",
+      turned, most_turn, request.region));
+  return Exit::not_converged;
 }
 
 }  // namespace
@@ -168,6 +177,7 @@ void add_compare(CLI::App& app, Common& common, Run& run) {
   add_json_flag(*command, common);
   add_force_flag(*command, common, "Replaces the output if it exists.");
   command->footer(
+      "The exit code is 3 if --align turned the surface by more than 30 degrees.\n\n"
       "Examples:\n"
       "  trunk compare run.h5 --surface diaphragm.stl\n"
       "  trunk compare run.h5 --surface lung.vtp --region lung --at end -o lung.csv");

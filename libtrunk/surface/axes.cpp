@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "errors/input_error.hpp"
+#include "math/median.hpp"
 
 namespace trunk {
 namespace {
@@ -85,6 +86,31 @@ double border_rise(const std::vector<Vec3d>& border, std::size_t along, std::siz
   return count[0] > 0.0 && count[1] > 0.0 ? sum[1] / count[1] - sum[0] / count[0] : 0.0;
 }
 
+/// Returns the border points of the cut, if half a dome was cut across `along`, and the end of that axis
+/// where they lie, -1 or +1; no points for a dome that is whole. The cut may be ragged, and short at the
+/// spine.
+std::pair<std::vector<Vec3d>, double> cut_across(const std::vector<Vec3d>& border, const Extent& extent,
+                                                 std::size_t along, std::size_t across, std::size_t vertical,
+                                                 double up) {
+  constexpr double widest = 1.15, slab = 0.2, least_border = 0.2, least_depth = 0.45, least_height = 0.25,
+                   from_top = 0.4;
+  if (extent[along] > widest * extent[across]) return {};
+  for (const double end : {-1.0, 1.0}) {
+    const double at = end < 0.0 ? extent.low[along] : extent.high[along];
+    std::vector<Vec3d> cut;
+    for (const Vec3d& p : border)
+      if (std::abs(numbers_of(p)[along] - at) < slab * extent[along]) cut.push_back(p);
+    if (static_cast<double>(cut.size()) < least_border * static_cast<double>(border.size())) continue;
+    const Extent of_cut = extent_of(cut);
+    const double below_top = up > 0.0 ? extent.high[vertical] - of_cut.high[vertical]
+                                      : of_cut.low[vertical] - extent.low[vertical];
+    if (of_cut[across] > least_depth * extent[across] && of_cut[vertical] > least_height * extent[vertical] &&
+        below_top < from_top * extent[vertical])
+      return {std::move(cut), end};
+  }
+  return {};
+}
+
 char name_of_axis(std::size_t i) {
   return static_cast<char>('x' + static_cast<char>(i));
 }
@@ -140,6 +166,18 @@ std::string Axes::letters() const {
   return text;
 }
 
+std::optional<DomeCut> cut_of_half_dome(const MeasuredSurface& dome) {
+  constexpr double height_field = 0.6;
+  const std::vector<Vec3d> border = border_points(dome);
+  if (border.empty() || net_areas(dome).second[2] < height_field) return std::nullopt;
+  const Extent extent = extent_of(dome.points);
+  const auto [cut, end] = cut_across(border, extent, 0, 1, 2, 1.0);
+  if (cut.empty()) return std::nullopt;
+  std::vector<double> x;
+  for (const Vec3d& p : cut) x.push_back(p.x());
+  return DomeCut{median(std::move(x)), -end};
+}
+
 std::optional<GuessedAxes> guess_axes(const MeasuredSurface& dome) {
   constexpr double height_field = 0.6, clear_rise = 0.05;  // our choice
   const std::vector<Vec3d> border = border_points(dome);
@@ -147,6 +185,9 @@ std::optional<GuessedAxes> guess_axes(const MeasuredSurface& dome) {
   const auto vertical =
       static_cast<std::size_t>(std::max_element(share.begin(), share.end()) - share.begin());
   if (border.empty() || share[vertical] < height_field) return std::nullopt;
+  // Half a dome, or another part of one, looks like a dome from more than one side.
+  if (std::count_if(share.begin(), share.end(), [](double s) { return s >= height_field; }) > 1)
+    return std::nullopt;
 
   const Extent extent = extent_of(dome.points);
   const double up = net[vertical] > 0.0 ? 1.0 : -1.0;

@@ -40,10 +40,21 @@ struct GuessedAxes {
   bool front_known = false;  // false: front and back, and so left and right, are arbitrary
 };
 
-/// Returns the axes that the shape of a diaphragm shows; nothing for a surface that is not an open dome. The
-/// dome points up, it is widest from side to side, and its border is higher in front than at the back. A
-/// symmetric surface does not show left and right: both follow from front and up and from right-handed axes.
-/// The surface has to be oriented and to face away from its middle.
+/// Where half a dome was cut from the other half.
+struct DomeCut {
+  double x = 0.0;              // m, of the plane of the cut
+  double measured_side = 0.0;  // +1: the half at greater x, the right one, is there; -1: the other one
+};
+
+/// Returns the cut if an open dome in the trunk's axes is one half of a diaphragm: it is hardly wider than
+/// deep, and a fifth of its border lies at one side, from low to near the top and over half of the depth (our
+/// choice).
+std::optional<DomeCut> cut_of_half_dome(const MeasuredSurface& dome);
+
+/// Returns the axes that the shape of a diaphragm shows; nothing for a surface that is not an open dome, or
+/// only a part of one. The dome points up, it is widest from side to side, and its border is higher in front
+/// than at the back. A symmetric surface does not show left and right: both follow from front and up and from
+/// right-handed axes. The surface has to be oriented and to face away from its middle.
 std::optional<GuessedAxes> guess_axes(const MeasuredSurface& dome);
 
 }  // namespace trunk

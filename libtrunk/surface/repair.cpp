@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 
+#include "surface/closest_points.hpp"
 #include "surface/facets.hpp"
 #include "surface/merge_points.hpp"
 #include "surface/sets.hpp"
@@ -72,6 +73,48 @@ void drop_specks(MeasuredSurface& s, RepairReport& report) {
   report.specks += specks;
 }
 
+/// Returns the middles of the triangles of one part.
+std::vector<Vec3d> middles_of(const MeasuredSurface& s, const std::vector<int>& part, int wanted) {
+  std::vector<Vec3d> middles;
+  for (std::size_t i = 0; i < part.size(); ++i)
+    if (part[i] == wanted) middles.push_back(centre_of(s.points, s.triangles[i]));
+  return middles;
+}
+
+void drop_islands(MeasuredSurface& s, RepairReport& report) {
+  constexpr double small = 0.1, far = 0.2;
+  const std::vector<int> part = connected_parts(s.triangles, s.points.size());
+  std::map<int, double> area;
+  double total = 0.0;
+  for (std::size_t i = 0; i < part.size(); ++i) {
+    const double a = norm(area_vector(s.points, s.triangles[i]));
+    area[part[i]] += a;
+    total += a;
+  }
+  if (area.size() < 2) return;
+  const int largest =
+      std::max_element(area.begin(), area.end(), [](auto& a, auto& b) { return a.second < b.second; })->first;
+  MeasuredSurface main{"", s.points, {}};
+  for (std::size_t i = 0; i < part.size(); ++i)
+    if (part[i] == largest) main.triangles.push_back(s.triangles[i]);
+  const ClosestPoints closest(main.points, main.triangles);
+  const double reach = far * largest_extent(main);
+  std::set<int> dropped;
+  for (const auto& [number, a] : area) {
+    if (a >= small * total) continue;
+    double distance = HUGE_VAL;
+    for (const Vec3d& p : middles_of(s, part, number)) distance = std::min(distance, closest(p).distance);
+    if (distance < reach) continue;
+    report.island_distance = dropped.empty() ? distance : std::min(distance, report.island_distance);
+    dropped.insert(number);
+  }
+  report.islands += dropped.size();
+  std::vector<Triangle> kept;
+  for (std::size_t i = 0; i < part.size(); ++i)
+    if (!dropped.contains(part[i])) kept.push_back(s.triangles[i]);
+  s.triangles = std::move(kept);
+}
+
 using EdgeCounts = std::map<std::pair<int, int>, int>;
 
 EdgeCounts edge_counts(const std::vector<Triangle>& triangles) {
@@ -136,6 +179,7 @@ RepairReport repair(MeasuredSurface& s) {
   report.merged_points = merge_points(s, merge_tolerance * largest_extent(s));
   drop_useless_triangles(s, report);
   drop_specks(s, report);
+  drop_islands(s, report);
   const Patches patches = orient_patches(s.triangles);
   report.turned = patches.turned;
   report.oriented = patches.possible;

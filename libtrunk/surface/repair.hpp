@@ -17,6 +17,8 @@ struct RepairReport {
   std::size_t slivers = 0;          // triangles flatter than the tolerance; kept, else the surface had holes
   std::size_t turned = 0;           // triangles turned over so that neighbours agree
   std::size_t specks = 0;           // pieces dropped since they are tiny beside the rest
+  std::size_t islands = 0;          // small pieces dropped since they are far from the rest
+  double island_distance = 0.0;     // of the nearest of these, in the unit of the points
   std::size_t sheet_triangles = 0;  // triangles dropped from the other side and the rim of a two-sided sheet
   double sheet_share = 0.0;         // share of the area that has another sheet close by
   double sheet_thickness = 0.0;     // median, in the unit of the points
@@ -33,6 +35,9 @@ struct RepairReport {
 ///  - merges points that are nearer than 1e-5 of the largest extent,
 ///  - drops degenerate and duplicate triangles, points without triangles, and specks of less than 0.5 % of
 ///    the area (unless more than 5 % of the area would go),
+///  - drops islands: pieces of less than 10 % of the area that are farther from the largest piece than a
+///  fifth
+///    of its extent,
 ///  - turns triangles so that neighbours agree, and the surface so that it faces as face_outward says,
 ///  - takes the middle of a two-sided sheet.
 RepairReport repair(MeasuredSurface& surface);

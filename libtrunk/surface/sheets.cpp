@@ -11,7 +11,7 @@
 namespace trunk {
 namespace {
 
-constexpr double thickest = 0.02, least_share = 0.7;
+constexpr double thickest = 0.05, least_share = 0.7;
 
 struct Facet {
   std::array<Vec3d, 3> corner;

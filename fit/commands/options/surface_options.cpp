@@ -29,11 +29,12 @@ void add_surface_options(CLI::App& command, SurfaceOptions& options) {
 
 CLI::Option* add_surface_request(CLI::App& command, SurfaceRequest& request) {
   constexpr const char* group = "What to compare";
-  auto* surface = command
-                      .add_option("--surface", request.surface,
-                                  "Compares with this measured surface (STL, OBJ, PLY, VTK, VTP or PML).")
-                      ->type_name("FILE")
-                      ->group(group);
+  auto* surface =
+      command
+          .add_option("--surface", request.surface,
+                      "Compares with this measured surface (STL, OBJ, PLY, VTK, VTP, VTU or PML).")
+          ->type_name("FILE")
+          ->group(group);
   command
       .add_option(
           "--at", request.at,

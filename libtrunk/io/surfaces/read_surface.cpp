@@ -68,6 +68,7 @@ void choose_unit(ImportedSurface& result, const SurfaceOptions& options, const s
                      "0.05 to 1 m, the size of a part of a human trunk", "check the unit");
   result.unit = unit.name;
   result.repaired.sheet_thickness *= unit.metres;
+  result.repaired.island_distance *= unit.metres;
   for (Vec3d& p : result.surface.points) p = unit.metres * p;
   if (!options.unit.empty()) return;
   result.notes.push_back(
@@ -98,13 +99,20 @@ Axes chosen_axes(ImportedSurface& result, const SurfaceOptions& options, const s
     return Axes(options.axes_of_others);
   }
   if (const auto guess = guess_axes(result.surface)) {
-    result.notes.push_back(
-        fmt::format("axes guessed as {}: {}; --axes overrides this", guess->axes.letters(), guess->reasons));
+    result.notes.insert(
+        result.notes.begin(),
+        fmt::format("axes guessed as {}, since the file does not say them: {}; --axes overrides "
+                    "this",
+                    guess->axes.letters(), guess->reasons));
     return guess->axes;
   }
-  result.notes.push_back(
-      "axes taken as RAS (x right, y forward, z up), since the shape of this surface does not show them; "
-      "--axes overrides this");
+  result.axes_assumed = true;
+  result.notes.insert(result.notes.begin(),
+                      "axes assumed to be RAS (x right, y forward, z up), since neither the file nor the "
+                      "shape of this surface "
+                      "says them; if they are others, left and right or front and back are exchanged; 3D "
+                      "Slicer and DICOM have "
+                      "LPS: then give --axes LPS");
   return {};
 }
 
@@ -131,6 +139,10 @@ void note_repairs(ImportedSurface& result) {
   mention(r.turned, "triangle turned over", "triangles turned over");
   mention(r.specks, "speck dropped", "specks dropped");
   if (!repairs.empty()) result.notes.push_back(repairs);
+  if (r.islands > 0)
+    result.notes.push_back(fmt::format("{} left out: small, and {} mm or more away from the rest",
+                                       counted(r.islands, "piece", "pieces"),
+                                       number_text(mm_per_m * r.island_distance, 3)));
   if (r.two_sided())
     result.notes.push_back(fmt::format(
         "two sheets {} mm apart on {} % of the area: the middle between them is used, {} dropped",
@@ -143,7 +155,7 @@ void note_repairs(ImportedSurface& result) {
   if (!r.oriented)
     result.notes.push_back("the surface is one-sided somewhere: the sign of a distance is uncertain");
   const std::string border =
-      r.closed() ? "closed" : fmt::format("open, {}", counted(r.borders, "border", "borders or holes"));
+      r.borders == 0 ? "closed" : fmt::format("open, {}", counted(r.borders, "border", "borders or holes"));
   result.notes.push_back(fmt::format("{}, {}, {}",
                                      counted(result.surface.triangles.size(), "triangle", "triangles"),
                                      border, counted(r.pieces, "piece", "pieces")));

@@ -21,16 +21,17 @@ struct SurfaceOptions {
 struct ImportedSurface {
   MeasuredSurface surface;  // its name is the name of the file
   std::string format, unit, axes;
-  RepairReport repaired;           // sheet_thickness in m
-  std::vector<std::string> notes;  // one sentence each, for the user
+  bool axes_assumed = false;       // neither user, file, another surface nor its shape says the axes
+  RepairReport repaired;           // sheet_thickness and island_distance in m
+  std::vector<std::string> notes;  // one sentence each, for the user; an assumption about axes comes first
 };
 
-/// Reads a surface in STL, OBJ, PLY, VTK, VTP or PML, which it recognises by the content. Repairs the surface
-/// and converts it to m and to the axes of the trunk.
+/// Reads a surface in STL, OBJ, PLY, VTK, VTP, VTU or PML, packed with gzip or not, which it recognises by
+/// the content. Repairs the surface and converts it to m and to the axes of the trunk.
 ///
 /// If neither the user nor the file names the unit, the unit follows from the size, because a part of a human
 /// trunk is 0.05 to 1 m long. If neither names the axes, they are guessed from the shape of an open dome, or
-/// RAS for other shapes. The notes report both.
+/// assumed to be RAS for other shapes. The notes report both.
 ///
 /// Throws InputError if the file cannot be read, has no triangles, is flat, does not have the size of a part
 /// of a trunk, or has no component of the chosen name.

@@ -86,7 +86,8 @@ TEST_CASE("Every fault of a surface gives an error of one line, with the line of
        "ends within"},
       {"ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nend_header\n1\n2\n3\n", "no x, y and z"},
       {"# vtk DataFile Version 3.0\nt\nOTHER\n", ":4: 'OTHER' found; expected ASCII or BINARY"},
-      {"# vtk DataFile Version 3.0\nt\nASCII\nDATASET UNSTRUCTURED_GRID\n", "expected POLYDATA"},
+      {"# vtk DataFile Version 3.0\nt\nASCII\nDATASET RECTILINEAR_GRID\n",
+       "expected POLYDATA or UNSTRUCTURED_GRID"},
       {vtk_head + "POINTS 99999999999 float\n", ":5: '99999999999' found"},
       {vtk_head + "POINTS 2 string\n", "type 'string'"},
       {vtk_head + "POINTS 2 float\n0 0 0 1 1\n", "the file ends here"},
@@ -96,9 +97,9 @@ TEST_CASE("Every fault of a surface gives an error of one line, with the line of
        "corner 1 (counted from 0), but there are 1"},
       {"# vtk DataFile Version 3.0\nt\nBINARY\nDATASET POLYDATA\nPOINTS 1000 float\nabc",
        "ends within its binary"},
-      {"<VTKFile type=\"ImageData\"/>", "not of type PolyData"},
-      {"<VTKFile type=\"PolyData\" compressor=\"vtkLZ4DataCompressor\"><PolyData/></VTKFile>",
-       "compressor other than"},
+      {"<VTKFile type=\"RectilinearGrid\"/>", "not of type PolyData"},
+      {"<VTKFile type=\"PolyData\" compressor=\"vtkOtherCompressor\"><PolyData/></VTKFile>",
+       "compressor 'vtkOtherCompressor' found; expected vtkZLibDataCompressor, vtkLZ4DataCompressor"},
       {"<VTKFile type=\"PolyData\"><PolyData/></VTKFile>", "no triangle"},
       {vtp_head, "malformed XML"},
       {vtp_head + "<DataArray type=\"Float32\" NumberOfComponents=\"3\" "
@@ -140,7 +141,8 @@ TEST_CASE("The unit is guessed from the size, and a size that no trunk has is re
     const ImportedSurface file = read_surface(folder.write("ball.obj", obj_of(ball, scale)));
     CHECK(file.unit == unit);
     CHECK(largest_extent(file.surface) == Approx(0.2).epsilon(0.01));
-    CHECK_THAT(file.notes.front(), Contains(std::string("taken as ") + unit));
+    CHECK_THAT(file.notes.at(1), Contains(std::string("taken as ") + unit));
+    CHECK_THAT(file.notes.front(), Contains("axes assumed to be RAS") && Contains("--axes LPS"));
   }
   CHECK_THAT(message_of_surface(obj_of(ball, 1e5)), Contains("expected 0.05 to 1 m"));
   CHECK_THAT(message_of_surface(obj_of(ball, 0.01)), Contains("--surface-unit"));

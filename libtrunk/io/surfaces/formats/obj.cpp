@@ -30,10 +30,18 @@ std::string_view next_of_face(Words& words) {
   return word.starts_with('#') ? std::string_view() : word;
 }
 
+/// Returns the number of points in the whole file, since faces may stand before their points.
+std::size_t points_of_obj(const std::string& bytes) {
+  std::size_t points = 0;
+  for (Words words(bytes, ""); !words.at_end(); words.skip_line()) points += words.next() == "v";
+  return points;
+}
+
 }  // namespace
 
 RawSurface read_obj(const std::string& bytes, const std::string& file) {
   SurfaceBuilder builder(file, "OBJ");
+  const std::size_t points = points_of_obj(bytes);
   Words words(bytes, file);
   for (; !words.at_end(); words.skip_line()) {
     const std::string_view statement = words.next();
@@ -45,7 +53,7 @@ RawSurface read_obj(const std::string& bytes, const std::string& file) {
       std::vector<double> corners;
       for (std::string_view word = next_of_face(words); !word.empty(); word = next_of_face(words))
         corners.push_back(corner_of(word, words, builder.points()));
-      builder.polygon(corners, words.line());
+      builder.polygon(corners, words.line(), points);
     } else if (statement == "o" || statement == "g") {
       Words name = words;
       builder.begin_part(name.rest_of_line());

@@ -150,6 +150,16 @@ void read_ply_entry(PlyNumbers& numbers, const PlyElement& element, const PlyPro
   }
 }
 
+/// Adds strips that one list holds, with a negative number between them.
+void add_ply_strips(std::span<const double> list, std::size_t line, SurfaceBuilder& builder) {
+  for (std::size_t begin = 0; begin < list.size();) {
+    std::size_t end = begin;
+    while (end < list.size() && list[end] >= 0.0) ++end;
+    builder.strip(list.subspan(begin, end - begin), line);
+    begin = end + 1;
+  }
+}
+
 }  // namespace
 
 RawSurface read_ply(const std::string& bytes, const std::string& file) {
@@ -159,20 +169,22 @@ RawSurface read_ply(const std::string& bytes, const std::string& file) {
   PlyNumbers numbers(bytes, words, header.coding);
   std::size_t vertices = 0;
   for (const PlyElement& element : header.elements) {
-    const bool is_vertex = element.name == "vertex", is_face = element.name == "face";
+    const bool is_vertex = element.name == "vertex", is_face = element.name == "face",
+               is_strips = element.name == "tristrips";
     const PlyProperty* const corners = element.find({"vertex_indices", "vertex_index"});
     if (is_vertex && !(element.find({"x"}) && element.find({"y"}) && element.find({"z"})))
       builder.fail(0, "the vertices have no x, y and z", "all three", "export the surface again");
-    if (is_face && !(corners && corners->count))
+    if ((is_face || is_strips) && !(corners && corners->count))
       builder.fail(0, "the faces have no list vertex_indices", "one", "export the surface again");
     if (is_vertex) vertices = element.count;
     if (element.properties.empty()) continue;
     std::array<double, 3> position{};
     std::vector<double> list;
     for (std::size_t i = 0; i < element.count; ++i) {
-      read_ply_entry(numbers, element, is_face ? corners : nullptr, position, list);
+      read_ply_entry(numbers, element, is_face || is_strips ? corners : nullptr, position, list);
       if (is_vertex) builder.point({position[0], position[1], position[2]}, numbers.line());
       if (is_face) builder.polygon(list, numbers.line(), vertices);
+      if (is_strips) add_ply_strips(list, numbers.line(), builder);
     }
   }
   if (builder.points() < vertices)

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "errors/input_error.hpp"
+#include "surfaces/formats/other_formats.hpp"
 #include "surfaces/formats/words.hpp"
 
 namespace trunk {
@@ -50,17 +51,53 @@ void SurfaceBuilder::strip(std::span<const double> corners, std::size_t line) {
   }
 }
 
-void SurfaceBuilder::cells(std::span<const double> corners, std::span<const double> ends, bool strips) {
+template <class Add>
+void SurfaceBuilder::for_each_cell(std::span<const double> corners, std::span<const double> ends, Add&& add) {
   double begin = 0.0;
-  for (const double end : ends) {
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    const double end = ends[i];
     if (!(end >= begin && end <= static_cast<double>(corners.size())))
       fail(0, fmt::format("a polygon's corners end at {} in a list of {}", end, corners.size()),
            "increasing ends within the list", "export the surface again");
-    const auto cell = corners.subspan(static_cast<std::size_t>(begin),
-                                      static_cast<std::size_t>(end) - static_cast<std::size_t>(begin));
-    strips ? strip(cell) : polygon(cell);
+    add(corners.subspan(static_cast<std::size_t>(begin),
+                        static_cast<std::size_t>(end) - static_cast<std::size_t>(begin)),
+        i);
     begin = end;
   }
+}
+
+void SurfaceBuilder::cells(std::span<const double> corners, std::span<const double> ends, bool strips) {
+  for_each_cell(corners, ends,
+                [&](std::span<const double> cell, std::size_t) { strips ? strip(cell) : polygon(cell); });
+}
+
+void SurfaceBuilder::one_cell(std::span<const double> corners, double type) {
+  enum : int {
+    most_lines = 4,
+    triangle = 5,
+    triangle_strip = 6,
+    any_polygon = 7,
+    pixel = 8,
+    quadrilateral = 9
+  };
+  const int kind = type >= 0.0 && type < 256.0 ? static_cast<int>(type) : -1;
+  if (kind >= 0 && kind <= most_lines) return;
+  if (kind == triangle || kind == any_polygon || kind == quadrilateral) return polygon(corners);
+  if (kind == triangle_strip) return strip(corners);
+  if (kind == pixel && corners.size() == 4)  // its corners go row by row
+    return polygon(std::array{corners[0], corners[1], corners[3], corners[2]});
+  fail(0, fmt::format("a cell of VTK's type {} found, which is no flat triangle or polygon", type),
+       "triangles, strips, polygons, pixels or quadrilaterals",
+       "extract the surface and save that (ParaView: Extract Surface, then Triangulate)");
+}
+
+void SurfaceBuilder::cells(std::span<const double> corners, std::span<const double> ends,
+                           std::span<const double> types) {
+  if (types.size() != ends.size())
+    fail(0, fmt::format("{} cells and {} types of cells found", ends.size(), types.size()), "as many",
+         "export the surface again");
+  for_each_cell(corners, ends,
+                [&](std::span<const double> cell, std::size_t i) { one_cell(cell, types[i]); });
 }
 
 void SurfaceBuilder::begin_part(std::string_view name) {
@@ -75,9 +112,17 @@ void SurfaceBuilder::begin_part(std::string_view name) {
     current_part_ = static_cast<int>(most_parts - 1);
 }
 
+void SurfaceBuilder::axes(std::string_view name) {
+  constexpr const char* around = " \t\r\n\"'";
+  const std::size_t begin = name.find_first_not_of(around);
+  if (begin >= name.size() || name[begin] == '\0') return;
+  surface_.axes = name.substr(begin, name.find_first_of(std::string(around) + '\0', begin) - begin);
+}
+
 void SurfaceBuilder::remark(std::string_view text) {
-  for (const char* axes : {"LPS", "RAS"})
-    if (text.find(std::string("SPACE=") + axes) != std::string_view::npos) surface_.axes = axes;
+  constexpr std::string_view key = "SPACE=";
+  const std::size_t at = text.find(key);
+  if (at != std::string_view::npos) axes(text.substr(at + key.size()));
 }
 
 RawSurface SurfaceBuilder::finish() {
@@ -89,11 +134,13 @@ RawSurface SurfaceBuilder::finish() {
 
 namespace {
 
+/// Returns whether the first line that is not a comment is a statement of OBJ.
 bool looks_like_obj(std::string_view text) {
   Words words(text, "");
-  for (int lines = 0; lines < 200 && !words.at_end(); ++lines) {
+  while (!words.at_end()) {
     const std::string_view first = words.word_of_line();
-    for (const char* statement : {"v", "vn", "vt", "vp", "f", "o", "g", "s", "l", "p", "mtllib", "usemtl"})
+    for (const char* statement :
+         {"v", "vn", "vt", "vp", "f", "o", "g", "s", "l", "p", "mg", "mtllib", "usemtl", "cstype", "deg"})
       if (first == statement) return true;
     if (!first.empty() && first.front() != '#') return false;
     words.skip_line();
@@ -104,7 +151,9 @@ bool looks_like_obj(std::string_view text) {
 }  // namespace
 
 RawSurface read_raw_surface(std::string bytes, const std::string& file) {
+  if (bytes.starts_with("\x1F\x8B")) bytes = gunzipped(bytes, file);
   if (bytes.starts_with("\xEF\xBB\xBF")) bytes.erase(0, 3);
+  refuse_other_formats(bytes, file);
   const std::string_view text = bytes;
   const std::string_view head = text.substr(std::min(text.find_first_not_of(" \t\r\n"), text.size()), 2000);
   const auto begins = [&](std::string_view with) {
@@ -119,7 +168,8 @@ RawSurface read_raw_surface(std::string bytes, const std::string& file) {
   if (begins("ply")) return read_ply(bytes, file);
   if (is_binary_stl(bytes) || begins("solid") || begins("facet")) return read_stl(bytes, file);
   if (looks_like_obj(text)) return read_obj(bytes, file);
-  throw InputError({file}, "the format is not known", "a surface in STL, OBJ, PLY, VTK, VTP or PML");
+  throw InputError({file}, "the format is not known", "a surface in STL, OBJ, PLY, VTK, VTP, VTU or PML",
+                   "open it in 3D Slicer, MeshLab or ParaView and save it as one of these");
 }
 
 }  // namespace trunk

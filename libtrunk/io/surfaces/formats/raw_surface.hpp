@@ -49,12 +49,17 @@ class SurfaceBuilder {
   /// Adds polygons or strips as VTK lists them: the corners of all of them, and the end of each in this list.
   /// Throws InputError.
   void cells(std::span<const double> corners, std::span<const double> ends, bool strips);
+  /// The same for cells of several types, by VTK's numbers: triangles, strips, polygons, pixels and
+  /// quadrilaterals are added; points and lines are left out. Throws InputError for all other types.
+  void cells(std::span<const double> corners, std::span<const double> ends, std::span<const double> types);
 
   /// Begins a part: later polygons belong to the part of that name.
   void begin_part(std::string_view name);
 
   /// Takes the axes from a comment or title, where 3D Slicer writes "SPACE=LPS".
   void remark(std::string_view text);
+  /// Takes the axes as the file names them, such as "LPS".
+  void axes(std::string_view name);
   void unit(std::string name) { surface_.unit = std::move(name); }
 
   /// Returns the surface; throws InputError if it has no triangles.
@@ -68,6 +73,10 @@ class SurfaceBuilder {
   std::string file_;
   RawSurface surface_;
   int current_part_ = -1;
+
+  void one_cell(std::span<const double> corners, double type);
+  template <class Add>
+  void for_each_cell(std::span<const double> corners, std::span<const double> ends, Add&& add);
 };
 
 /// Readers of one format each. `bytes` is the whole file, and messages name `file`. All throw InputError.
@@ -75,10 +84,11 @@ RawSurface read_stl(const std::string& bytes, const std::string& file);
 RawSurface read_obj(const std::string& bytes, const std::string& file);
 RawSurface read_ply(const std::string& bytes, const std::string& file);
 RawSurface read_vtk(const std::string& bytes, const std::string& file);  // legacy
-RawSurface read_vtp(const std::string& bytes, const std::string& file);
+RawSurface read_vtp(const std::string& bytes, const std::string& file);  // VTP, VTU and lists of them
 RawSurface read_pml_surface(const std::string& bytes, const std::string& file);
 
-/// Reads a surface in any of these formats, which it recognises by the content; throws InputError.
+/// Reads a surface in any of these formats, which it recognises by the content, also if it is packed with
+/// gzip; throws InputError.
 RawSurface read_raw_surface(std::string bytes, const std::string& file);
 
 }  // namespace trunk

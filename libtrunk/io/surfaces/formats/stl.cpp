@@ -58,8 +58,10 @@ RawSurface read_text_stl(const std::string& bytes, const std::string& file) {
     } else if (same_word(word, "endloop")) {
       builder.polygon(loop, words.line());
       loop.clear();
-    } else if (same_word(word, "facet") || same_word(word, "endsolid")) {
-      words.skip_line();  // the normal is often nan; the corners give it anyway
+    } else if (same_word(word, "facet") || same_word(word, "endsolid") || same_word(word, "color") ||
+               word.front() == '#' || word.front() == ';') {
+      words.skip_line();  // the normal is often nan, and the corners give it; colours and comments do not
+                          // count
     } else if (!same_word(word, "outer") && !same_word(word, "loop") && !same_word(word, "endfacet")) {
       words.fail(fmt::format("{} found", excerpt(word)), "facet, vertex, endloop or endsolid of an STL",
                  "export it again");

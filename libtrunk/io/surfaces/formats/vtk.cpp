@@ -10,7 +10,13 @@ namespace {
 
 constexpr std::size_t most_corners = 4 * most_surface_triangles;
 
-/// Reads the legacy format of VTK: POLYDATA as text or binary (big-endian), versions 1 to 5.
+/// Corners of all cells, and the end of each cell in this list.
+struct VtkCells {
+  std::vector<double> corners, ends;
+};
+
+/// Reads the legacy format of VTK: POLYDATA and UNSTRUCTURED_GRID as text or binary (big-endian), versions 1
+/// to 5.
 class VtkReader {
  public:
   VtkReader(const std::string& bytes, const std::string& file)
@@ -22,9 +28,13 @@ class VtkReader {
       if (same_word(word, "POINTS"))
         read_points();
       else if (same_word(word, "POLYGONS") || same_word(word, "TRIANGLE_STRIPS"))
-        read_cells(true, same_word(word, "TRIANGLE_STRIPS"));
+        add_cells(same_word(word, "TRIANGLE_STRIPS"));
       else if (same_word(word, "VERTICES") || same_word(word, "LINES"))
-        read_cells(false, false);
+        read_cells();
+      else if (same_word(word, "CELLS"))
+        grid_ = read_cells();
+      else if (same_word(word, "CELL_TYPES"))
+        read_types();
       else if (same_word(word, "FIELD"))
         skip_to_points();
       else if (same_word(word, "METADATA"))
@@ -32,7 +42,7 @@ class VtkReader {
       else if (same_word(word, "POINT_DATA") || same_word(word, "CELL_DATA"))
         break;  // the surface stands before these
       else
-        words_.fail(fmt::format("{} found", excerpt(word)), "POINTS, POLYGONS or TRIANGLE_STRIPS",
+        words_.fail(fmt::format("{} found", excerpt(word)), "POINTS, POLYGONS, TRIANGLE_STRIPS or CELLS",
                     "export it again");
     }
     return builder_.finish();
@@ -49,8 +59,12 @@ class VtkReader {
                   "export the surface again");
     if (!same_word(words_.next(), "DATASET"))
       words_.fail("no DATASET found after the header", "DATASET POLYDATA", "export the surface again");
-    if (const std::string_view kind = words_.rest_of_line(); !same_word(kind, "POLYDATA"))
-      words_.fail(fmt::format("DATASET {} found", excerpt(kind)), "POLYDATA",
+    const std::string_view kind = words_.rest_of_line();
+    if (same_word(kind, "STRUCTURED_POINTS"))
+      words_.fail("an image or a label map found, which is no surface yet", "POLYDATA or UNSTRUCTURED_GRID",
+                  "make a surface of it (3D Slicer: Segmentations, Export; ParaView: Contour) and save that");
+    if (!same_word(kind, "POLYDATA") && !same_word(kind, "UNSTRUCTURED_GRID"))
+      words_.fail(fmt::format("DATASET {} found", excerpt(kind)), "POLYDATA or UNSTRUCTURED_GRID",
                   "extract the surface and save that");
   }
 
@@ -91,11 +105,12 @@ class VtkReader {
 
   /// Reads "POLYGONS cells numbers", followed by the number of corners and the corners of each cell. From
   /// version 5 on, it is "POLYGONS offsets corners", followed by OFFSETS and CONNECTIVITY.
-  void read_cells(bool wanted, bool strips) {
+  VtkCells read_cells() {
     const std::size_t first = words_.count("how many polygons there are", most_corners);
     const std::size_t second = words_.count("how many numbers they take", most_corners);
     words_.skip_line();
-    std::vector<double> ends, corners;
+    VtkCells cells;
+    auto& [corners, ends] = cells;
     Words ahead = words_;
     if (same_word(ahead.word_of_line(), "OFFSETS")) {
       ends = named_numbers("OFFSETS", first);
@@ -114,7 +129,19 @@ class VtkReader {
         ends.push_back(static_cast<double>(corners.size()));
       }
     }
-    if (wanted) builder_.cells(corners, ends, strips);
+    return cells;
+  }
+
+  void add_cells(bool strips) {
+    const VtkCells cells = read_cells();
+    builder_.cells(cells.corners, cells.ends, strips);
+  }
+
+  /// Reads the types of the cells of an UNSTRUCTURED_GRID, and adds these cells.
+  void read_types() {
+    const std::size_t count = words_.count("how many cells there are", most_corners);
+    words_.skip_line();
+    builder_.cells(grid_.corners, grid_.ends, numbers(count, {NumberType::Kind::whole, 4}));
   }
 
   std::vector<double> named_numbers(std::string_view name, std::size_t count) {
@@ -124,11 +151,20 @@ class VtkReader {
     return numbers(count, type);
   }
 
+  /// Skips the fields before the points, but takes the axes from the field SPACE that 3D Slicer writes.
   void skip_to_points() {
     const std::size_t points = bytes_.find("\nPOINTS", words_.position());
     if (points == std::string::npos)
       words_.fail("no POINTS found after FIELD", "POINTS", "export the surface again");
-    words_.bytes(points - words_.position());
+    const std::string_view fields = words_.bytes(points - words_.position());
+    constexpr std::string_view space = "\nSPACE 1 1 string\n";
+    const std::size_t at = fields.find(space);
+    if (at == std::string_view::npos) return;
+    // Before the text of a binary file stand its length and two bits that say how many bytes the length
+    // takes.
+    const std::string_view text = fields.substr(at + space.size());
+    builder_.axes(binary_ && !text.empty() ? text.substr(1, static_cast<unsigned char>(text[0]) & 0x3F)
+                                           : text);
   }
 
   void skip_to_blank_line() {
@@ -141,6 +177,7 @@ class VtkReader {
   Words words_;
   SurfaceBuilder builder_;
   bool binary_ = false;
+  VtkCells grid_;  // of an UNSTRUCTURED_GRID, until their types are read
 };
 
 }  // namespace

@@ -1,10 +1,14 @@
 #include "surfaces/formats/vtp_arrays.hpp"
 
 #include <fmt/format.h>
+#include <lz4.h>
+#include <lzma.h>
 #include <zlib.h>
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
+#include <optional>
 
 #include "errors/input_error.hpp"
 #include "surfaces/formats/numbers.hpp"
@@ -70,12 +74,18 @@ VtpArrays::VtpArrays(const pml::XmlDocument& xml, std::string_view appended, boo
              "correct it");
   if (header != "UInt32" && header != "UInt64")
     xml.fail(xml.root(), fmt::format("header_type is {}", excerpt(header)), "UInt32 or UInt64", "correct it");
-  if (!compressor.empty() && compressor != "vtkZLibDataCompressor")
-    xml.fail(xml.root(), "a compressor other than vtkZLibDataCompressor found", "",
-             "save the surface with this compressor or with none");
+  if (compressor == "vtkZLibDataCompressor")
+    packing_ = Packing::zlib;
+  else if (compressor == "vtkLZ4DataCompressor")
+    packing_ = Packing::lz4;
+  else if (compressor == "vtkLZMADataCompressor")
+    packing_ = Packing::lzma;
+  else if (!compressor.empty())
+    xml.fail(xml.root(), fmt::format("compressor {} found", excerpt(compressor)),
+             "vtkZLibDataCompressor, vtkLZ4DataCompressor, vtkLZMADataCompressor or none",
+             "save the surface with one of these");
   big_endian_ = order == "BigEndian";
   header_bytes_ = header == "UInt32" ? 4 : 8;
-  compressed_ = !compressor.empty();
 }
 
 double VtpArrays::header(pugi::xml_node array, std::string_view decoded, std::size_t index) const {
@@ -102,7 +112,7 @@ std::string VtpArrays::plain_bytes(pugi::xml_node array, const Coded& coded, std
 
 /// Reads [number of blocks][bytes per block][bytes of the last block, 0: a full one][compressed bytes of each
 /// block][blocks].
-std::string VtpArrays::inflated_bytes(pugi::xml_node array, const Coded& coded,
+std::string VtpArrays::unpacked_bytes(pugi::xml_node array, const Coded& coded,
                                       std::size_t most_bytes) const {
   constexpr double most_blocks = 1e6;
   const double count = header(array, coded.first(header_bytes_), 0);
@@ -128,24 +138,38 @@ std::string VtpArrays::inflated_bytes(pugi::xml_node array, const Coded& coded,
       xml_.fail(array, fmt::format("an array of more than {} bytes found", most_bytes), "",
                 "thin the surface");
     const auto bytes = static_cast<std::size_t>(header(array, head, 3 + i));
-    data += inflated_block(array, std::string_view(all).substr(at, bytes), static_cast<std::size_t>(size));
+    data += unpacked_block(array, std::string_view(all).substr(at, bytes), static_cast<std::size_t>(size));
     at += bytes;
   }
   return data;
 }
 
-std::string VtpArrays::inflated_block(pugi::xml_node array, std::string_view packed, std::size_t size) const {
+std::string VtpArrays::unpacked_block(pugi::xml_node array, std::string_view packed, std::size_t size) const {
   std::string block(size, '\0');
-  uLongf length = block.size();
-  const int outcome = uncompress(reinterpret_cast<Bytef*>(block.data()), &length,
-                                 reinterpret_cast<const Bytef*>(packed.data()), packed.size());
-  if (outcome != Z_OK || length != block.size())
+  auto* const to = reinterpret_cast<std::uint8_t*>(block.data());
+  const auto* const from = reinterpret_cast<const std::uint8_t*>(packed.data());
+  bool whole = false;
+  if (packing_ == Packing::zlib) {
+    uLongf length = size;
+    whole = uncompress(to, &length, from, packed.size()) == Z_OK && length == size;
+  } else if (packing_ == Packing::lz4) {
+    whole = LZ4_decompress_safe(packed.data(), block.data(), static_cast<int>(packed.size()),
+                                static_cast<int>(size)) == static_cast<int>(size);
+  } else {
+    std::uint64_t most_memory = 100'000'000;
+    std::size_t read = 0, written = 0;
+    whole = lzma_stream_buffer_decode(&most_memory, 0, nullptr, from, &read, packed.size(), to, &written,
+                                      size) == LZMA_OK &&
+            written == size;
+  }
+  if (!whole)
     xml_.fail(array, "the compressed data of this array are damaged", "", "export the surface again");
   return block;
 }
 
 std::string VtpArrays::bytes(pugi::xml_node array, const Coded& coded, std::size_t most_bytes) const {
-  return compressed_ ? inflated_bytes(array, coded, most_bytes) : plain_bytes(array, coded, most_bytes);
+  return packing_ == Packing::none ? plain_bytes(array, coded, most_bytes)
+                                   : unpacked_bytes(array, coded, most_bytes);
 }
 
 std::vector<double> VtpArrays::numbers(pugi::xml_node array, std::size_t most) const {
@@ -167,9 +191,11 @@ std::vector<double> VtpArrays::numbers(pugi::xml_node array, std::size_t most) c
     }
     return values;
   }
-  const auto type = number_type(array.attribute("type").as_string());
+  const std::string_view named = array.attribute("type").as_string();
+  const auto type =
+      named == "String" ? std::optional(NumberType{NumberType::Kind::natural, 1}) : number_type(named);
   if (!type)
-    xml_.fail(array, fmt::format("an array of type {} found", excerpt(array.attribute("type").as_string())),
+    xml_.fail(array, fmt::format("an array of type {} found", excerpt(named)),
               "a type of VTK, such as Float32", "correct it");
   std::string data;
   if (format == "binary") {
@@ -189,6 +215,16 @@ std::vector<double> VtpArrays::numbers(pugi::xml_node array, std::size_t most) c
   for (std::size_t at = 0; at + type->bytes <= data.size(); at += type->bytes)
     values.push_back(number_at(data.data() + at, *type, big_endian_));
   return values;
+}
+
+std::string VtpArrays::text(pugi::xml_node array) const {
+  constexpr std::size_t longest = 10'000;
+  std::string text;
+  for (const double code : numbers(array, longest)) {
+    if (!(code > 0.0 && code < 256.0)) break;
+    text += static_cast<char>(static_cast<unsigned char>(code));
+  }
+  return text;
 }
 
 }  // namespace trunk
