@@ -71,6 +71,25 @@ void require_upright(const TrunkMesh& mesh) {
   }
 }
 
+void print_notes(const std::vector<std::string>& notes) {
+  for (const std::string& note : notes) print_note("note: " + note);
+}
+
+/// Returns the registered trunk. If the surfaces are refused, the notes about them come first, since they
+/// often tell why: the axes, the unit.
+Registration registered(const TrunkMesh& trunk, const RegistrationSubject& subject) {
+  try {
+    Registration found = register_trunk(trunk, subject.measurements, [](int n, int of) {
+      print_progress(fmt::format("register: iteration {} of {}", n + 1, of));
+    });
+    require_upright(found.mesh);
+    return found;
+  } catch (const InputError&) {
+    print_notes(subject.notes);
+    throw;
+  }
+}
+
 Exit register_command(const Common& common, RegisterRequest request) {
   const auto start = std::chrono::steady_clock::now();
   const fs::path pml = request.output, toml = fs::path(pml).replace_extension(".toml");
@@ -89,21 +108,21 @@ Exit register_command(const Common& common, RegisterRequest request) {
                                           ml_per_m3 * scenario.scenario.geometry.end_expiratory_volume);
   if (request.apposition_length_mm) targets.apposition_length = m_per_mm * *request.apposition_length_mm;
   targets.lower_border = lower_border_of(request.lower_border);
+  if (!request.lung_side.empty())
+    targets.lung_side = request.lung_side == "right" ? LungSide::right : LungSide::left;
   std::vector<fs::path> inputs = scenario.inputs;
   inputs.insert(inputs.end(), subject.files.begin(), subject.files.end());
   require_apart(inputs, {pml, toml});
   require_writable_output(pml, common.force);
   require_writable_output(toml, common.force);
 
-  const Registration found = register_trunk(trunk, targets, [](int n, int of) {
-    print_progress(fmt::format("register: iteration {} of {}", n + 1, of));
-  });
+  const Registration found = registered(trunk, subject);
+  subject.notes.insert(subject.notes.end(), found.notes.begin(), found.notes.end());
   const RegistrationVerdict verdict = verdict_of(found, m_per_mm * request.tolerance_mm);
-  require_upright(found.mesh);
   replace_file(pml, trunk_pml(found.mesh, found.mesh.given, scenario.scenario.rigid, pml.stem().string()));
   replace_file(toml, subject_toml(request.scenario, pml, step_too_long(scenario.scenario, found.mesh)));
   const std::vector<std::string> warnings = warnings_of(found);
-  for (const std::string& note : subject.notes) print_note("note: " + note);
+  print_notes(subject.notes);
   for (const std::string& warning : warnings) print_note("warning: " + warning);
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
   Json json = registration_json(found, verdict);
@@ -132,9 +151,11 @@ void add_register(CLI::App& app, Common& common, Run& run) {
   add_json_flag(*command, common);
   add_force_flag(*command, common, "Replaces files that exist.");
   command->footer(
-      "The exit code is 3 if the trunk is farther from a surface than the tolerance, or if triangles are "
-      "folded. "
-      "The files are written all the same.\n\n"
+      "The exit code is 3 if the trunk is farther from a surface than the tolerance, if triangles are "
+      "folded, or "
+      "if the trunk would be turned, scaled or stretched more than a subject can be. The files are written "
+      "all "
+      "the same.\n\n"
       "Examples:\n"
       "  trunk register --surface diaphragm.stl -o subject.pml\n"
       "  trunk register --lungs right.vtp --lungs left.vtp --axes LPS -o subject.pml");

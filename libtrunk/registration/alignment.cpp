@@ -113,10 +113,17 @@ Similarity start_from(std::span<const Corresponding> sides, const Rotation<doubl
   return start;
 }
 
+/// Returns the axis of a rotation, as long as its angle, rad.
+Vec3d rotation_vector(const Rotation<double>& rotation) {
+  const double sine = norm(rotation.v), angle = 2.0 * std::atan2(sine, std::abs(rotation.w));
+  return sine > 0.0 ? (rotation.w < 0.0 ? -1.0 : 1.0) * angle / sine * rotation.v : Vec3d();
+}
+
 /// Returns the similarity after one Gauss-Newton step in rotation, shift and scale that brings the matches
 /// together. Surfaces are free to slide along each other, which takes far fewer iterations near the end (Chen
 /// and Medioni 1992).
-Similarity sliding(const Similarity& at, const Matches& matches) {
+/// A turn by an angle costs `uprightness` times the squares of the movements that it makes.
+Similarity sliding(const Similarity& at, const Matches& matches, double uprightness) {
   using Row = Eigen::Matrix<double, 7, 1>;
   Vec3d centre;
   for (const Vec3d& q : matches.measured) centre += (1.0 / static_cast<double>(matches.measured.size())) * q;
@@ -136,6 +143,16 @@ Similarity sliding(const Similarity& at, const Matches& matches) {
     else
       for (const Vec3d& axis : {Vec3d{1, 0, 0}, Vec3d{0, 1, 0}, Vec3d{0, 0, 1}}) add(x - centre, axis, off);
   }
+  if (uprightness > 0.0) {
+    double arms = 0.0;
+    for (const Vec3d& q : matches.measured) arms += dot(q - centre, q - centre);
+    const Vec3d turned = rotation_vector(at.rotation);
+    const double weight = uprightness * arms;
+    for (int k = 0; k < 3; ++k) normal(k, k) += weight;
+    right[0] -= weight * turned.x();
+    right[1] -= weight * turned.y();
+    right[2] -= weight * turned.z();
+  }
   normal.diagonal() *= 1.0 + 1e-6;
   const Row step = normal.ldlt().solve(right);
   const Rotation<double> turned = small_rotation(Vec3d{step[0], step[1], step[2]});
@@ -144,12 +161,22 @@ Similarity sliding(const Similarity& at, const Matches& matches) {
           centre + grown * turn(turned, at.shift - centre) + Vec3d{step[3], step[4], step[5]}};
 }
 
+/// How to iterate: whether the surfaces slide along each other, and what a turn costs. With `uprightness` > 0
+/// points beyond the border of an open surface never count.
+struct Manner {
+  bool slide = false;
+  double uprightness = 0.0;
+};
+
 Alignment iterate(std::span<const Corresponding> surfaces, std::span<const NamedPoint> landmarks,
-                  Alignment at, int iterations, bool slide) {
+                  Alignment at, int iterations, const Manner& manner) {
+  const auto [slide, uprightness] = manner;
   constexpr double arrived_m = 1e-5, landmark_share = 0.2;
   for (int last = at.iterations + iterations; at.iterations < last; ++at.iterations) {
     Matches matches;
-    for (const Corresponding& surface : surfaces) surface.add_matches(at.similarity, slide, matches);
+    for (const Corresponding& surface : surfaces)
+      surface.add_matches(at.similarity, slide || uprightness > 0.0, matches);
+    if (!slide) std::fill(matches.normal.begin(), matches.normal.end(), Vec3d());
     double squares = 0.0;
     for (const double d : matches.distance) squares += d * d;
     at.rms = std::sqrt(squares / static_cast<double>(matches.distance.size()));
@@ -165,8 +192,9 @@ Alignment iterate(std::span<const Corresponding> surfaces, std::span<const Named
         matches.measured.push_back(landmark.measured);
         matches.normal.push_back({});
       }
-    const Similarity next =
-        slide ? sliding(at.similarity, matches) : fitted_similarity(matches.of_trunk, matches.measured);
+    const Similarity next = slide || uprightness > 0.0
+                                ? sliding(at.similarity, matches, uprightness)
+                                : fitted_similarity(matches.of_trunk, matches.measured);
     double moved = 0.0;
     for (const Vec3d& x : matches.of_trunk) moved = std::max(moved, norm(next(x) - at.similarity(x)));
     at.similarity = next;
@@ -199,12 +227,22 @@ Alignment align(std::span<const SurfacePair> pairs, std::span<const NamedPoint> 
   const std::vector<Corresponding> coarse = sides_of(pairs, few), fine = sides_of(pairs, many);
   std::vector<Alignment> found;
   for (const Rotation<double>& rotation : starting_rotations())
-    found.push_back(iterate(coarse, landmarks, {start_from(coarse, rotation), 0.0, 0}, 10, false));
+    found.push_back(iterate(coarse, landmarks, {start_from(coarse, rotation), 0.0, 0}, 10, {}));
   const auto better = [](const Alignment& a, const Alignment& b) { return a.rms < b.rms; };
   std::stable_sort(found.begin(), found.end(), better);
   found.resize(best);
-  for (Alignment& a : found) a = iterate(fine, landmarks, iterate(fine, landmarks, a, 10, false), 30, true);
+  for (Alignment& a : found)
+    a = iterate(fine, landmarks, iterate(fine, landmarks, a, 10, {}), 30, {.slide = true});
   return *std::min_element(found.begin(), found.end(), better);
+}
+
+Alignment align_upright(std::span<const SurfacePair> pairs, std::span<const NamedPoint> landmarks) {
+  constexpr std::size_t samples = 500;
+  constexpr double uprightness = 0.1;
+  const std::vector<Corresponding> sides = sides_of(pairs, samples);
+  Alignment at{start_from(sides, {}), 0.0, 0};
+  at = iterate(sides, landmarks, at, 20, {.slide = false, .uprightness = uprightness});
+  return iterate(sides, landmarks, at, 30, {.slide = true, .uprightness = uprightness});
 }
 
 }  // namespace trunk

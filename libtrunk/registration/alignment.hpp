@@ -32,4 +32,10 @@ struct Alignment {
 /// reaches turns of 30 degrees and more).
 Alignment align(std::span<const SurfacePair> pairs, std::span<const NamedPoint> landmarks);
 
+/// Returns the same for surfaces whose axes are known and whose shape hardly shows a tilt, such as a pair of
+/// lungs. The search starts from the trunk upright, and each turn costs as if a tenth of its squared movement
+/// were added to the squared distances (our choice). What lies beyond the border of an open surface does not
+/// count.
+Alignment align_upright(std::span<const SurfacePair> pairs, std::span<const NamedPoint> landmarks);
+
 }  // namespace trunk

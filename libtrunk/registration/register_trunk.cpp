@@ -12,6 +12,7 @@
 #include "registration/region_fits.hpp"
 #include "registration/target_surface.hpp"
 #include "registration/trunk_parts.hpp"
+#include "surface/axes.hpp"
 
 namespace trunk {
 namespace {
@@ -20,38 +21,45 @@ std::size_t index(int i) {
   return static_cast<std::size_t>(i);
 }
 
-/// Returns both lungs as one surface.
-MeasuredSurface joined(const std::vector<MeasuredSurface>& surfaces) {
-  MeasuredSurface all{"lungs", {}, {}};
-  for (const MeasuredSurface& s : surfaces) {
-    const int before = static_cast<int>(all.points.size());
-    all.points.insert(all.points.end(), s.points.begin(), s.points.end());
-    for (const Triangle& t : s.triangles)
-      all.triangles.push_back({t[0] + before, t[1] + before, t[2] + before});
-  }
-  return all;
-}
+/// One half of a part: what was measured of it, and which triangles of the trunk it shows.
+struct Half {
+  MeasuredSurface surface;
+  std::vector<Triangle> part;
+};
 
-/// A measured surface, the part of the trunk that it shows, and how it attracts that part.
+/// A measured surface, the part of the trunk that it shows, and how it attracts that part. If only one half
+/// was measured, the surface is that half with its mirror image.
 struct Shown {
   MeasuredSurface surface;
   std::vector<Triangle> part;
   Attraction::Direction direction;
   Attraction::Facing facing;
+  std::optional<Half> measured;  // none: all of it
 };
 
-std::vector<Shown> shown_by(const TrunkMesh& trunk, const SubjectMeasurements& targets) {
+std::vector<Shown> shown_by(const TrunkMesh& trunk, const SubjectMeasurements& targets,
+                            const std::optional<DomeCut>& cut, const std::optional<LungSurface>& lungs) {
   using Direction = Attraction::Direction;
   using Facing = Attraction::Facing;
   std::vector<Shown> shown;
   const auto add = [&](const MeasuredSurface& surface, const char* name, std::vector<Triangle> part,
                        Direction direction, Facing facing) {
-    shown.push_back({surface, std::move(part), direction, facing});
+    shown.push_back({surface, std::move(part), direction, facing, {}});
     shown.back().surface.name = name;
+  };
+  // Completes the last one, of which only the half at greater (+1) or smaller x was measured.
+  const auto mirror_at = [&](double x, double sign, double beside_middle) {
+    Shown& half = shown.back();
+    half.measured = Half{half.surface, side_of(trunk, half.part, sign, beside_middle)};
+    half.surface = with_mirror_image(half.surface, x);
   };
   if (targets.diaphragm)
     add(*targets.diaphragm, "diaphragm", diaphragm_of(trunk), Direction::both, Facing::any);
-  if (!targets.lungs.empty()) add(joined(targets.lungs), "lungs", trunk.lung, Direction::both, Facing::alike);
+  if (cut) mirror_at(cut->x, cut->measured_side, 0.0);
+  constexpr double beside_heart = 1.0 / 6.0;
+  if (lungs) add(lungs->outer, "lungs", trunk.lung, Direction::both, Facing::alike);
+  if (lungs && lungs->side != LungSide::both)
+    mirror_at(lungs->middle, lungs->side == LungSide::right ? 1.0 : -1.0, beside_heart);
   if (targets.skin)
     add(*targets.skin, "skin", abdominal_wall_of(trunk), Direction::part_to_target, Facing::alike);
   if (targets.ribs)
@@ -98,13 +106,27 @@ void require_similar(const Similarity& similarity) {
     throw InputError(
         {}, fmt::format("the surface needs a trunk {:.3g} times the size of this one", similarity.scale),
         fmt::format("{:.2g} to {:.2g} times", 1.0 / most_scale, most_scale),
-        "check the unit of the surface, and that the surface is what the option says");
+        "check the unit of the surface, and that the surface is what the option says, or give a --landmark");
   if (!(similarity.angle() < most_turn))
     throw InputError({},
                      fmt::format("the surface needs a trunk turned by {:.0f} degrees",
                                  degrees_per_rad * similarity.angle()),
                      fmt::format("less than {:.0f}", degrees_per_rad * most_turn),
-                     "check the axes of the surface, and that the surface is what the option says");
+                     "check the axes of the surface, and that the surface is what the option says, or give a "
+                     "--landmark such as dome_top_right and lung_top");
+}
+
+/// Returns whether a surface is as deep as it is wide.
+bool is_round(const MeasuredSurface& surface) {
+  constexpr double least_difference = 1.1;
+  double low[2] = {HUGE_VAL, HUGE_VAL}, high[2] = {-HUGE_VAL, -HUGE_VAL};
+  for (const Vec3d& p : surface.points) {
+    low[0] = std::min(low[0], p.x());
+    high[0] = std::max(high[0], p.x());
+    low[1] = std::min(low[1], p.y());
+    high[1] = std::max(high[1], p.y());
+  }
+  return high[0] - low[0] < least_difference * (high[1] - low[1]);
 }
 
 Volumes volumes_of(const TrunkMesh& mesh) {
@@ -190,8 +212,11 @@ Placed place(const TrunkMesh& trunk, const std::vector<Shown>& shown,
   Placed placed{trunk, shown, landmarks, {}};
   const auto upright = [&](const Vec3d& p) { return turn_back(similarity.rotation, p - similarity.shift); };
   for (Vec3d& p : placed.mesh.rest) p = similarity.scale * p;
-  for (Shown& s : placed.shown)
+  for (Shown& s : placed.shown) {
     for (Vec3d& p : s.surface.points) p = upright(p);
+    if (!s.measured) continue;
+    for (Vec3d& p : s.measured->surface.points) p = upright(p);
+  }
   for (LinearActuator& landmark : placed.landmarks) landmark.target = upright(landmark.target);
   for (const Shown& s : placed.shown)
     if (s.surface.name == "diaphragm") placed.insertion = insertion_on(s.surface, placed.mesh, border);
@@ -202,7 +227,11 @@ Placed place(const TrunkMesh& trunk, const std::vector<Shown>& shown,
 
 Registration register_trunk(const TrunkMesh& trunk, const SubjectMeasurements& targets,
                             const std::function<void(int iteration, int of)>& progress) {
-  const std::vector<Shown> shown = shown_by(trunk, targets);
+  std::optional<LungSurface> lungs;
+  if (!targets.lungs.empty()) lungs = outer_lungs(joined(targets.lungs), targets.lung_side);
+  std::optional<DomeCut> cut;
+  if (targets.diaphragm) cut = cut_of_half_dome(*targets.diaphragm);
+  const std::vector<Shown> shown = shown_by(trunk, targets, cut, lungs);
   std::vector<LinearActuator> landmarks;
   std::vector<NamedPoint> points;
   for (const auto& [name, place] : targets.landmarks) {
@@ -213,7 +242,7 @@ Registration register_trunk(const TrunkMesh& trunk, const SubjectMeasurements& t
   const std::vector<SurfacePair> pairs = aligning_pairs(trunk, outside, shown);
 
   Registration result;
-  result.alignment = align(pairs, points);
+  result.alignment = lungs ? align_upright(pairs, points) : align(pairs, points);
   const Similarity& similarity = result.alignment.similarity;
   require_similar(similarity);
   const Placed placed = place(trunk, shown, landmarks, similarity, targets.lower_border);
@@ -246,13 +275,31 @@ Registration register_trunk(const TrunkMesh& trunk, const SubjectMeasurements& t
   result.matched = volumes_of(result.mesh);
   if (targets.lung_volume) size_lung(*targets.lung_volume, aligned_mesh, result.mesh);
 
-  for (const Attraction& a : goals.attractions) add_region_fits(result.mesh, a, result.fits);
-  result.extrapolated = regions_without_data(result.mesh, goals.attractions, result.particles_without_data);
+  std::vector<Attraction> measured;
+  for (const Shown& s : placed.shown)
+    measured.push_back(s.measured ? Attraction{&s.measured->surface, s.measured->part, s.direction, s.facing}
+                                  : Attraction{&s.surface, s.part, s.direction, s.facing});
+  for (const Attraction& a : measured) add_region_fits(result.mesh, a, result.fits);
+  result.extrapolated = regions_without_data(result.mesh, measured, result.particles_without_data);
   result.final = volumes_of(result.mesh);
   result.apposition_length = mean_apposition_length(result.mesh);
   result.apposition_wanted = targets.apposition_length;
-  for (const MeasuredSurface& lung : targets.lungs)
-    result.lungs_given += enclosed_volume<double>(lung.triangles, lung.points);
+  if (lungs) {
+    result.lungs_given = lungs->volume;
+    result.lung_side = lungs->side;
+    result.notes = lungs->notes;
+  }
+  if (cut)
+    result.notes.push_back(
+        fmt::format("the diaphragm is the {} half of one, cut in a plane; the other half of the trunk is "
+                    "extrapolated, as its "
+                    "mirror image",
+                    cut->measured_side > 0.0 ? "right" : "left"));
+  result.lung_stretch = targets.lung_volume ? result.final.lung / result.matched.lung : 1.0;
+  for (const RegionFit& fit : result.fits)
+    if (fit.target == "diaphragm" && fit.region == "zone_of_apposition")
+      result.cut_short = fit.with_data < 1.0 / 3.0;
+  result.round_diaphragm = targets.diaphragm && !cut && is_round(*targets.diaphragm);
   result.closed_diaphragm = targets.diaphragm && TargetSurface(*targets.diaphragm).closed();
   result.quality = mesh_quality(aligned_mesh, result.mesh.rest);
   for (Vec3d& p : result.mesh.rest) p = turn(similarity.rotation, p) + similarity.shift;

@@ -4,6 +4,7 @@
 
 #include "registration/alignment.hpp"
 #include "registration/elastic_matching.hpp"
+#include "registration/lungs.hpp"
 #include "registration/mesh_quality.hpp"
 #include "surface/distances.hpp"
 
@@ -14,6 +15,7 @@ namespace trunk {
 struct SubjectMeasurements {
   std::optional<MeasuredSurface> diaphragm, skin, ribs;
   std::vector<MeasuredSurface> lungs;       // closed: one surface, or the right and the left lung
+  std::optional<LungSide> lung_side;        // of one lung alone; none: its shape says it
   std::map<std::string, Vec3d> landmarks;   // by the name in TrunkMesh; of one to three particles
   std::optional<double> lung_volume;        // m3
   std::optional<double> apposition_length;  // m
@@ -39,12 +41,16 @@ struct Volumes {
 struct Registration {
   TrunkMesh mesh;  // in the axes and the origin of the measured surfaces
   Alignment alignment;
-  double insertion_covered = 0.0;   // share of the way around with a costal insertion; 0: not searched
-  Volumes aligned, matched, final;  // before the matching, after it, and with the wanted lung volume
-  double lungs_given = 0.0;         // m3, enclosed by the measured lungs; 0: none
-  double apposition_length = 0.0;   // m
+  double insertion_covered = 0.0;       // share of the way around with a costal insertion; 0: not searched
+  Volumes aligned, matched, final;      // before the matching, after it, and with the wanted lung volume
+  double lungs_given = 0.0;             // m3, enclosed by the measured lungs; 0: none
+  LungSide lung_side = LungSide::both;  // which lungs are measured
+  double lung_stretch = 1.0;            // of the matched lung to the wanted volume
+  double apposition_length = 0.0;       // m
   std::optional<double> apposition_wanted;
   bool closed_diaphragm = false;  // the measured diaphragm encloses a volume, so it may be another organ
+  bool round_diaphragm = false;   // as deep as it is wide, which no diaphragm is
+  bool cut_short = false;         // the diaphragm shows less than a third of the zone of apposition
   int iterations = 0;
   double moved = 0.0;      // m, the largest movement in the last iteration
   bool held_back = false;  // the last iteration was shortened, so that no triangle folds
@@ -52,6 +58,7 @@ struct Registration {
   std::vector<RegionFit> fits;            // for each target first as a whole (region "all")
   std::vector<std::string> extrapolated;  // regions with data for less than half of them
   std::size_t particles_without_data = 0;
+  std::vector<std::string> notes;  // how the surfaces were taken, one sentence each
 };
 
 /// Registers a trunk to a subject: `align`, then `match`, then the height of the lung from its volume. The

@@ -1,6 +1,7 @@
 #include "registration/trunk_parts.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 namespace trunk {
@@ -47,6 +48,32 @@ std::vector<Triangle> rib_side_of(const TrunkMesh& mesh) {
   for (const Triangle& t : mesh.lung)
     if (std::any_of(t.begin(), t.end(), [&](int i) { return wall.contains(i); })) side.push_back(t);
   return side;
+}
+
+std::vector<Triangle> side_of(const TrunkMesh& mesh, const std::vector<Triangle>& surface, double sign,
+                              double share) {
+  const auto x = [&](int i) { return mesh.rest[static_cast<std::size_t>(i)].x(); };
+  double low = HUGE_VAL, high = -HUGE_VAL;
+  for (const Triangle& t : surface)
+    for (const int i : t) {
+      low = std::min(low, x(i));
+      high = std::max(high, x(i));
+    }
+  const double middle = 0.5 * (low + high), least = share * 0.5 * (high - low);
+  std::vector<Triangle> side;
+  std::copy_if(surface.begin(), surface.end(), std::back_inserter(side), [&](const Triangle& t) {
+    return sign * ((x(t[0]) + x(t[1]) + x(t[2])) / 3.0 - middle) > least;
+  });
+  return side;
+}
+
+MeasuredSurface with_mirror_image(const MeasuredSurface& half, double x) {
+  MeasuredSurface whole = half;
+  const int before = static_cast<int>(half.points.size());
+  for (const Vec3d& p : half.points) whole.points.emplace_back(2.0 * x - p.x(), p.y(), p.z());
+  for (const Triangle& t : half.triangles)
+    whole.triangles.push_back({t[0] + before, t[2] + before, t[1] + before});
+  return whole;
 }
 
 std::vector<Triangle> outside_of(const TrunkMesh& mesh) {

@@ -109,8 +109,9 @@ class Register(TrunkTest):
         stick = "".join(f"v {x} {y} {z}\n" for x in (0, 300) for y in (0, 5) for z in (0, 5))
         faces = "1 2 4 3 5 7 8 6 1 5 6 2 3 4 8 7 1 3 7 5 2 6 8 4".split()
         stick += "".join("f " + " ".join(faces[4 * k:4 * k + 4]) + "\n" for k in range(6))
-        self.refused("register", "--lungs", self.file("stick.obj", stick), "--axes", "RAS", "-o", "me.pml",
-                     says="is what the option says")
+        outcome = self.trunk("register", "--lungs", self.file("stick.obj", stick), "--axes", "RAS", "-o", "me.pml")
+        self.assertEqual((outcome.code, outcome.out), (2, ""), str(outcome))
+        self.assertRegex(outcome.err, r"\Anote: .*unit taken as mm[^\0]*\ntrunk: .*is what the option says[^\n]*\n\Z")
         self.file("me.toml", "mine")
         self.refused(*good, "-o", "me.pml", says=r"me\.toml")
 

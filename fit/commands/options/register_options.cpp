@@ -10,7 +10,7 @@ void add_surfaces(CLI::App& command, RegisterRequest& request) {
   constexpr const char* group = "Surfaces of the subject";
   command
       .add_option("--surface", request.surface,
-                  "The diaphragm at the end of expiration (PML, STL, OBJ, PLY, VTK or VTP).")
+                  "The diaphragm at the end of expiration (PML, STL, OBJ, PLY, VTK, VTP or VTU).")
       ->type_name("FILE")
       ->group(group);
   command
@@ -19,6 +19,12 @@ void add_surfaces(CLI::App& command, RegisterRequest& request) {
       ->type_name("FILE")
       ->group(group)
       ->take_all();
+  command
+      .add_option("--lung-side", request.lung_side,
+                  "Says which lung it is, if there is only one. [its shape says it]")
+      ->type_name("SIDE")
+      ->group(group)
+      ->check(one_of({"right", "left"}));
   command.add_option("--skin", request.skin, "The skin of the trunk. It shapes the abdominal wall.")
       ->type_name("FILE")
       ->group(group);

@@ -12,7 +12,7 @@ struct RegisterRequest {
   std::string scenario, output, surface, skin, ribs;
   std::vector<std::string> lungs, landmarks;
   SurfaceOptions file;
-  std::string lower_border = "auto";
+  std::string lower_border = "auto", lung_side;
   std::optional<double> lung_volume_ml, apposition_length_mm;
   std::optional<int> resolution;
   double tolerance_mm = 5.0;

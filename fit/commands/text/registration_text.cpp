@@ -49,15 +49,51 @@ std::string listed(const std::vector<std::string>& names) {
 
 }  // namespace
 
+namespace {
+
+/// Returns why a registration is not that of a subject, or nothing. The limits are our choice: adults differ
+/// by a third in size, they lie straight in a scanner, and the lung over a diaphragm has to be guessed. What
+/// is beyond is mostly another unit, other axes, or another organ.
+std::string implausible(const Registration& found) {
+  constexpr double least_scale = 0.6, most_scale = 1.5, most_turn = 30.0;  // degrees
+  constexpr double least_stretch = 0.6, most_stretch = 2.5;
+  const double scale = found.alignment.similarity.scale,
+               turn = degrees_per_rad * found.alignment.similarity.angle();
+  if (!(scale >= least_scale && scale <= most_scale))
+    return fmt::format(
+        "the trunk became {:.2f} times as large; expected {:g} to {:g} times; check the unit of the surface, "
+        "and "
+        "whether it is what the option says and complete",
+        scale, least_scale, most_scale);
+  if (!(turn <= most_turn))
+    return fmt::format(
+        "the trunk was turned by {:.0f} degrees; expected at most {:g}; check the axes of the surface, and "
+        "whether "
+        "it is what the option says, or give a --landmark such as dome_top_right",
+        turn, most_turn);
+  if (!(found.lung_stretch >= least_stretch && found.lung_stretch <= most_stretch))
+    return fmt::format(
+        "the surfaces make a lung of {:.0f} ml, which was stretched to {:.0f} ml; expected a stretch of {:g} "
+        "to "
+        "{:g}; check the unit of the surface, and whether it is what the option says, or give "
+        "--lung-volume-ml",
+        ml_per_m3 * found.matched.lung, ml_per_m3 * found.final.lung, least_stretch, most_stretch);
+  return "";
+}
+
+}  // namespace
+
 RegistrationVerdict verdict_of(const Registration& found, double tolerance) {
   if (!found.quality.sound())
     return {"unsound_mesh",
             fmt::format("{} triangles are folded and the smallest angle is {:.2f} degrees; try another "
                         "--lower-border, a landmark or a cleaner surface",
                         found.quality.folded, degrees_per_rad * found.quality.smallest_angle)};
+  if (const std::string why = implausible(found); !why.empty()) return {"implausible", why};
   for (const RegionFit& fit : found.fits) {
-    if (fit.region != "all") continue;                       // a target is judged as a whole
-    const double least = fit.target == "ribs" ? 0.05 : 0.6;  // our choice; there is nothing between ribs
+    if (fit.region != "all") continue;  // a target is judged as a whole
+    // Our choice; there is nothing between ribs, and nothing between lungs but the heart.
+    const double least = fit.target == "ribs" ? 0.05 : fit.target == "lungs" ? 0.4 : 0.6;
     if (fit.with_data < least)
       return {
           "mostly_extrapolated",
@@ -71,7 +107,7 @@ RegistrationVerdict verdict_of(const Registration& found, double tolerance) {
             "beyond_tolerance",
             fmt::format("the trunk is {:.1f} mm (RMS; 95th percentile {:.1f}) from the {}; expected at most "
                         "{:g} and {:g}; check the axes and the unit of the surface, and whether it is "
-                        "complete",
+                        "complete, or give a --landmark such as dome_top_right",
                         mm_per_m * d->rms, mm_per_m * d->percentile95, fit.target, mm_per_m * tolerance,
                         2.0 * mm_per_m * tolerance)};
   }
@@ -91,7 +127,25 @@ std::vector<std::string> warnings_of(const Registration& found) {
         "the surface given as the diaphragm is closed and thick, but a diaphragm is an open dome or a thin "
         "sheet. "
         "The trunk was bent onto it all the same; if it is a lung, give it with --lungs");
-  if (found.lungs_given > 0.0 && std::abs(found.final.lung / found.lungs_given - 1.0) > 0.05)
+  if (found.round_diaphragm)
+    warnings.push_back(
+        "the surface given as the diaphragm is as deep as it is wide, but a diaphragm is wider than deep. It "
+        "may be "
+        "a part, a hemisphere or another organ, or its axes are others");
+  if (found.cut_short)
+    warnings.push_back(
+        "the surface given as the diaphragm is cut short: it shows less than a third of the zone of "
+        "apposition, so "
+        "that this zone and the costal insertion are the template's. You can give --apposition-length-mm, or "
+        "the "
+        "rest of the surface");
+  if (found.lung_side != LungSide::both)
+    warnings.push_back(
+        fmt::format("the given lung holds {:.0f} ml; the {:.0f} ml of the trunk's lung are those of two such "
+                    "lungs and of what "
+                    "lies between them. You can set the volume with --lung-volume-ml",
+                    ml_per_m3 * found.lungs_given, ml_per_m3 * found.final.lung));
+  else if (found.lungs_given > 0.0 && std::abs(found.final.lung / found.lungs_given - 1.0) > 0.05)
     warnings.push_back(fmt::format(
         "the given lungs hold {:.0f} ml, but the trunk's lung holds {:.0f} ml; the model has no heart "
         "beside the lung. You can set its volume with --lung-volume-ml",
@@ -125,6 +179,7 @@ Json registration_json(const Registration& found, const RegistrationVerdict& ver
   json["lung_volume_ml"] = ml_per_m3 * found.final.lung;
   json["abdominal_volume_aligned_ml"] = ml_per_m3 * found.aligned.abdomen;
   json["abdominal_volume_ml"] = ml_per_m3 * found.final.abdomen;
+  json["lung_stretch"] = found.lung_stretch;
   json["lungs_given_ml"] = found.lungs_given > 0.0 ? Json(ml_per_m3 * found.lungs_given) : Json();
   json["apposition_length_mm"] = mm_per_m * found.apposition_length;
   json["apposition_length_wanted_mm"] =
