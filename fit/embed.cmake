@@ -19,7 +19,7 @@ endfunction()
 set(TRUNK_TOPICS
   "start|README.md|what trunk is for, its limits, and a first session"
   "fitting|fit/README.md|traces, breaths, the fit and its verdict"
-  "pressures|fit/channels/README.md|pressures and other channels beside volume, and numbers of a clinic"
+  "pressures|fit/channels/README.md|pressures beside volume, numbers of a clinic"
   "sweeps|fit/sweep/README.md|many breaths, many subjects, sweeps and clusters"
   "scenarios|scenarios/README.md|the shipped ones, keys, loads, a trunk of your own"
   "model|libtrunk/README.md|the equations, the map of the code, the libraries"

@@ -135,7 +135,7 @@ class Fit(TrunkTest):
         with h5py.File(self.folder / "f.h5") as file:
             for row, stored in zip(fit["breaths"], file["breaths/work_of_breathing_J_per_L"][()]):
                 self.assertEqual(row["work_of_breathing_J_per_L"], stored)
-            self.assertEqual(file["breaths/work_of_breathing_J_per_L"].attrs["units"], "J L-1")
+            self.assertEqual(file["breaths/work_of_breathing_J_per_L"].attrs["units"], b"J L-1")
         self.assertIn("inspiratory work of breathing", self.trunk("fit", HEALTHY, "--trace", "t.csv", "-o", "g.h5", *FAST_FIT).out)
 
     def test_breath_by_breath(self):
