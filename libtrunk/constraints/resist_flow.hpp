@@ -30,16 +30,23 @@ void add_flow(const State<S>& state, const Workspace<S>& w, std::size_t i, FlowS
 }
 
 /// Keeps the particles without a support as they are without resistance, and returns their sums. They do not
-/// depend on what touches. (next, direction) => pleura
+/// depend on what touches. (next, direction) => pleura, plane
 template <Scalar S>
 FlowSums<S> free_flow(const State<S>& state, Workspace<S>& w) noexcept {
+  auto& p = w.pleura;
   FlowSums<S> sums;
-  for_all(w.pleura.free, [&](std::size_t i) {
-    w.pleura.next[i] = w.next[i];
-    w.pleura.direction[i] = w.direction[i];
+  for_all(p.dome, [&](std::size_t i) {
+    p.next[i] = w.next[i];
+    sums.moved = sums.moved + dot(p.gradient[i], w.next[i] - state.position[i]);
+    sums.pushed = sums.pushed + dot(p.gradient[i], p.push[i]);
+  });
+  sums.along = -sums.pushed;
+  for_all(p.others, [&](std::size_t i) {
+    p.next[i] = w.next[i];
+    p.direction[i] = w.direction[i];
     add_flow(state, w, i, sums);
   });
-  for (const std::size_t s : w.pleura.supports) {
+  for (const std::size_t s : p.supports) {
     auto& plane = w.plane[s];
     plane.pleural_rate = dot(plane.normal, plane.pleural);
   }
@@ -68,7 +75,12 @@ void resist_flow(const Model& model, const State<S>& state, const Mask<S>& lanes
   const S share = -p.coupling / (S(1.0) + p.coupling * sums.pushed);
   multiplier.at = select(lanes, share * sums.moved, multiplier.at);
   multiplier.rate = select(lanes, share * sums.along, multiplier.rate);
-  for_all(p.free, [&](std::size_t i) {
+  const S dome_rate = multiplier.rate - S(1.0);
+  for_all(p.dome, [&](std::size_t i) {
+    w.next[i] = p.next[i] + multiplier.at * p.push[i];
+    w.direction[i] = dome_rate * p.push[i];
+  });
+  for_all(p.others, [&](std::size_t i) {
     w.next[i] = p.next[i] + multiplier.at * p.push[i];
     w.direction[i] = p.direction[i] + multiplier.rate * p.push[i];
   });

@@ -23,13 +23,16 @@ void add_pleural_force(const Model& model, const Parameters<S>& parameters, cons
     gradient = sixth * gradient;
   }
 
-  p.moved = S(0.0);
-  const auto flow = [&](std::size_t i) {
-    p.moved = p.moved + dot(p.gradient[i], state.position[i] - state.previous[i]);
-  };
-  for_all(p.free, flow);
-  for (const std::size_t s : p.supports) flow(static_cast<std::size_t>(model.supports[s].particle));
-
+  if (w.damped_at_end < 1.0 || model.friction > 0.0) {
+    S moved(0.0);
+    const auto flow = [&](std::size_t i) {
+      moved = moved + dot(p.gradient[i], state.position[i] - state.previous[i]);
+    };
+    for_all(p.dome, flow);
+    for_all(p.others, flow);
+    for (const std::size_t s : p.supports) flow(static_cast<std::size_t>(model.supports[s].particle));
+    p.moved = moved;
+  }
   const S resistance = parameters.resistance + S(model.pleura->tube_resistance);
   const S before = S((1.0 - w.damped_at_end) / w.dt_s) * resistance * p.moved;
   p.pressure =
@@ -40,7 +43,8 @@ void add_pleural_force(const Model& model, const Parameters<S>& parameters, cons
     p.push[i] = hadamard(w.push_weight[i], p.gradient[i]);
     w.force[i] += p.pressure * p.gradient[i];
   };
-  for_all(p.free, push);
+  for_all(p.dome, push);
+  for_all(p.others, push);
   for (const std::size_t s : p.supports) {
     const auto i = static_cast<std::size_t>(model.supports[s].particle);
     push(i);

@@ -80,15 +80,17 @@ struct Workspace {
   struct Pleura {
     bool present = false;
     // constant during a run
-    RingTable rings;                    // of the lung, where they are not abdominal rings turned over
-    std::vector<HalfOpenRange> dome;    // particles whose lung ring is their abdominal ring turned over
-    std::vector<HalfOpenRange> free;    // moving particles of the lung without a support
-    std::vector<std::size_t> supports;  // of the moving particles of the lung that have one
+    // The moving particles of the lung: those of the dome, whose lung ring is their abdominal ring turned
+    // over; those with a support; and others.
+    std::vector<HalfOpenRange> dome, others;
+    std::vector<std::size_t> supports;
+    RingTable rings;                    // of the lung, around particles off the dome
     std::vector<HalfOpenRange> solved;  // particles that the correction of volume and flow moves
     // scratch of one step
     std::vector<Vec3<S>> gradient;         // [particles] m2, of the lung volume at the start of the step
     std::vector<Vec3<S>> push;             // [particles] m per unit of the pleural multiplier
-    std::vector<Vec3<S>> next, direction;  // [particles] as those of the workspace, without resistance
+    std::vector<Vec3<S>> next, direction;  // [particles] as those of the workspace, without resistance; the
+                                           // direction of the dome is minus its push
     S pressure{0.0};                       // Pa, known at the start of the step
     S coupling{0.0};                       // the multiplier per m3 that leaves the lung in the step
     S moved{0.0};                          // m3, that entered the lung in the last step
@@ -104,19 +106,26 @@ void prepare_pleura(const Model& model, const RingTable& held, Workspace<S>& w) 
   const std::vector<bool> moving = moving_particles(model), pushed = pushed_particles(model);
   const RingTable facing = only_those(model.lung_rings, [&](int vertex, auto) { return moving[at(vertex)]; });
   const RingTable turned = turned_over(held);
-  p.rings = only_those(facing, [&](int vertex, auto ring) { return !contains(turned, vertex, ring); });
-  std::vector<bool> dome(n, false), free(n, false), solved(n, false);
-  for (const int vertex : facing.vertex) dome[at(vertex)] = free[at(vertex)] = true;
-  for (const int vertex : p.rings.vertex) dome[at(vertex)] = false;
+  std::vector<bool> supported(n, false);
+  for (const Support& support : model.supports) supported[at(support.particle)] = true;
+  p.rings = only_those(facing, [&](int vertex, auto ring) {
+    return supported[at(vertex)] || !contains(turned, vertex, ring);
+  });
+  std::vector<bool> dome(n, false), others(n, false), solved(n, false);
   for (const int vertex : held.vertex) solved[at(vertex)] = true;
-  for (std::size_t i = 0; i < n; ++i) solved[i] = solved[i] || (free[i] && pushed[i]);
+  for (const int vertex : facing.vertex) solved[at(vertex)] = solved[at(vertex)] || pushed[at(vertex)];
+  for (const int vertex : facing.vertex) dome[at(vertex)] = true;
+  for (const int vertex : p.rings.vertex) {
+    dome[at(vertex)] = false;
+    others[at(vertex)] = true;
+  }
   for (std::size_t s = 0; s < model.supports.size(); ++s)
-    if (free[at(model.supports[s].particle)]) {
+    if (others[at(model.supports[s].particle)]) {
       p.supports.push_back(s);
-      free[at(model.supports[s].particle)] = false;
+      others[at(model.supports[s].particle)] = false;
     }
   p.dome = ranges(dome);
-  p.free = ranges(free);
+  p.others = ranges(others);
   p.solved = ranges(solved);
   for (auto* field : {&p.gradient, &p.push, &p.next, &p.direction}) field->resize(n);
 }

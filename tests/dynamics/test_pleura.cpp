@@ -227,8 +227,8 @@ TEST_CASE("A healthy breath with a lung has the pressures that clinics measure",
 }
 
 TEST_CASE("The volume lags behind the muscle by the recoil time", "[property][dynamics][slow]") {
-  // For the means of A(t) and V(t) this is exact in a linear model without E_L, whatever its other modes. With
-  // E_L it is as good as the trunk is one compartment.
+  // For the means of A(t) and V(t) this is exact in a linear model without E_L, whatever its other modes.
+  // With E_L it is as good as the trunk is one compartment.
   for (const auto& [resistance, elastance] : {std::pair{0.0, 5.0}, {2.75, 5.0}, {10.0, 5.0}, {5.0, 0.0}}) {
     Scenario s = breathing_air();
     s.parameters.resistance = resistance * cmH2O_per_L;
