@@ -51,7 +51,9 @@ Pillow pillow(int columns, int rows, double dx, double dy, const std::function<d
   for (int j = 0; j + 1 < rows; ++j)
     for (int i = 0; i + 1 < columns; ++i) {
       const int a = p.top(i, j), b = p.top(i + 1, j), c = p.top(i + 1, j + 1), d = p.top(i, j + 1);
-      if (diagonal(i, j)) {
+      const bool corner = (i == 0 || i + 2 == columns) && (j == 0 || j + 2 == rows);
+      const bool forward = corner ? (i == 0) == (j == 0) : diagonal(i, j);  // no triangle is in both sheets
+      if (forward) {
         add(a, b, c);
         add(a, c, d);
       } else {
