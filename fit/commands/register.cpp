@@ -34,17 +34,31 @@ bool step_too_long(Scenario scenario, const TrunkMesh& mesh) {
 }
 
 /// Returns the subject's scenario: the registered one with another trunk. It keeps numbers that belong to the
-/// registered trunk until `trunk fit` finds the subject's own.
-std::string subject_toml(const fs::path& scenario, const fs::path& pml, bool shorter_steps) {
+/// registered trunk until `trunk fit` finds the subject's own. A doubt stands in its title, which every
+/// result and report shows.
+std::string subject_toml(const fs::path& scenario, const fs::path& pml, const RegistrationVerdict& verdict,
+                         bool shorter_steps) {
   const fs::path extended = fs::proximate(fs::absolute(scenario), fs::absolute(pml).parent_path());
   const auto quoted = [](const std::string& text) { return Json(text).dump(); };
   return fmt::format(
       "# Written by `trunk register`. The trunk is the subject's; the parameters are still those of the "
       "scenario it extends:\n"
       "# `trunk fit` finds the subject's own.\n"
-      "schema = \"trunk.scenario/1\"\nextends = {}\ntitle = {}\n\n[geometry]\npml = {}\n\n"
-      "[tissue]\ndamping = \"area\"  # what the triangles of this mesh are does not change it\n{}",
-      quoted(extended.string()), quoted(pml.stem().string()), quoted(pml.filename().string()),
+      "schema = \"trunk.scenario/1\"
+extends = {}
+title = {}
+
+[geometry]
+pml = {}
+
+"
+      "[tissue]
+damping = \"area\"  # so that the triangles of this mesh do not change it
+{}",
+      quoted(extended.string()),
+      quoted(pml.stem().string() +
+             (verdict.done() ? "" : " (registration in doubt: " + verdict.status + ")")),
+      quoted(pml.filename().string()),
       shorter_steps ? "\n[time]\ndt_ms = \"auto\"  # the scenario's is unstable on this mesh\n" : "");
 }
 
@@ -120,7 +134,8 @@ Exit register_command(const Common& common, RegisterRequest request) {
   subject.notes.insert(subject.notes.end(), found.notes.begin(), found.notes.end());
   const RegistrationVerdict verdict = verdict_of(found, m_per_mm * request.tolerance_mm);
   replace_file(pml, trunk_pml(found.mesh, found.mesh.given, scenario.scenario.rigid, pml.stem().string()));
-  replace_file(toml, subject_toml(request.scenario, pml, step_too_long(scenario.scenario, found.mesh)));
+  replace_file(toml,
+               subject_toml(request.scenario, pml, verdict, step_too_long(scenario.scenario, found.mesh)));
   const std::vector<std::string> warnings = warnings_of(found);
   print_notes(subject.notes);
   for (const std::string& warning : warnings) print_note("warning: " + warning);

@@ -17,8 +17,8 @@ namespace {
 
 // m, between the lungs: in one row at most, and where there is one lung only
 constexpr double widest_gap = 0.11, usual_gap = 0.06;
-constexpr double least_lean =
-    0.02;  // that says a side; lungs of our own of several shapes lean by 0.1 to 0.4
+// The lean that says a side; lungs of our own of several shapes lean by 0.55 to 0.65.
+constexpr double least_lean = 0.1;
 
 /// Fills each row along x between the first body and the second, unless they are farther apart than any
 /// heart is wide. Returns the narrowest gap, m.

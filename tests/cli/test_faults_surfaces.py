@@ -149,6 +149,7 @@ class Kinds(Surfaces):
         points, triangles = points_of(dome())
         report = self.registered(points / 25.4, triangles, "--axes", "RAS", code=3)
         self.assertEqual(report["status"], "implausible")
+        self.assertIn("(registration in doubt: implausible)", (self.folder / "me.toml").read_text())
         self.assertRegex(report["message"], r"the trunk became 0\.\d+ times as large; expected 0\.6 to 1\.5 .*check the unit")
 
     def test_a_thick_shell_is_taken_at_its_middle(self):

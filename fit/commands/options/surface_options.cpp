@@ -1,5 +1,7 @@
 #include "commands/options/surface_options.hpp"
 
+#include <fmt/format.h>
+
 #include "commands/commands.hpp"
 #include "commands/text/output.hpp"
 #include "results/read/read_records.hpp"
@@ -60,6 +62,9 @@ SurfaceAnswer compared(const SurfaceRequest& request, const std::string& run_fil
   const RunRecord run = read_run(run_file);
   ComparedSurface& beside = answer.beside;
   beside.surface = std::move(answer.file.surface);
+  if (answer.file.axes_guessed || answer.file.axes_assumed)  // the doubt stands on the report page, too
+    beside.surface.name +=
+        fmt::format(" (axes {} as {})", answer.file.axes_guessed ? "guessed" : "assumed", answer.file.axes);
   beside.region =
       region_at(request.region, moment_of(request.at, run.trajectory, run_file), run.trajectory, run_file);
   for (const std::string& note : answer.file.notes) print_note("note: " + request.surface + ": " + note);

@@ -99,6 +99,7 @@ Axes chosen_axes(ImportedSurface& result, const SurfaceOptions& options, const s
     return Axes(options.axes_of_others);
   }
   if (const auto guess = guess_axes(result.surface)) {
+    result.axes_guessed = true;
     result.notes.insert(
         result.notes.begin(),
         fmt::format("axes guessed as {}, since the file does not say them: {}; --axes overrides "

@@ -21,7 +21,8 @@ struct SurfaceOptions {
 struct ImportedSurface {
   MeasuredSurface surface;  // its name is the name of the file
   std::string format, unit, axes;
-  bool axes_assumed = false;       // neither user, file, another surface nor its shape says the axes
+  bool axes_guessed = false;       // from the shape, since neither user, file nor another surface says them
+  bool axes_assumed = false;       // the shape does not show them either
   RepairReport repaired;           // sheet_thickness and island_distance in m
   std::vector<std::string> notes;  // one sentence each, for the user; an assumption about axes comes first
 };

@@ -49,7 +49,7 @@ TEST_CASE("Every fault of a surface gives an error of one line, with the line of
   const Fault faults[] = {
       {"", "empty"},
       {"hello world\n", "format is not known"},
-      {"\x89PNG\r\n\x1a\n" + std::string(500, '\xFF'), "format is not known"},
+      {"\x89PNG\r\n\x1a\n" + std::string(500, '\xFF'), "a picture found; expected a surface"},
       {"v 0 0 0\nv 1 nan 0\n", ":2: 'nan' found; expected a coordinate, a finite number"},
       {"v 0 0 0\nv 1 1e999 0\n", ":2: '1e999' found"},
       {"v 0 0\nv 1 1 0\n", ":1: the line ends here; expected a coordinate"},
