@@ -44,17 +44,8 @@ std::string subject_toml(const fs::path& scenario, const fs::path& pml, const Re
       "# Written by `trunk register`. The trunk is the subject's; the parameters are still those of the "
       "scenario it extends:\n"
       "# `trunk fit` finds the subject's own.\n"
-      "schema = \"trunk.scenario/1\"
-extends = {}
-title = {}
-
-[geometry]
-pml = {}
-
-"
-      "[tissue]
-damping = \"area\"  # so that the triangles of this mesh do not change it
-{}",
+      "schema = \"trunk.scenario/1\"\nextends = {}\ntitle = {}\n\n[geometry]\npml = {}\n\n"
+      "[tissue]\ndamping = \"area\"  # so that the triangles of this mesh do not change it\n{}",
       quoted(extended.string()),
       quoted(pml.stem().string() +
              (verdict.done() ? "" : " (registration in doubt: " + verdict.status + ")")),
