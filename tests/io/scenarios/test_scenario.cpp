@@ -223,3 +223,50 @@ TEST_CASE("Settings override the file and become the origin of the value", "[uni
   CHECK(file.scenario.title == "a = b");
   CHECK(file.where("tissue.ribs") == Place{"--set tissue.ribs=false"});
 }
+
+TEST_CASE("A lung acts once a scenario or a setting names it or the airway", "[unit][io]") {
+  TemporaryFolder folder;
+  const auto of = [&](const std::string& tables, const std::vector<std::string>& settings = {}) {
+    return read_scenario(folder.write("lung.toml", "schema = \"trunk.scenario/1\"\n" + tables), settings)
+        .scenario;
+  };
+  CHECK_FALSE(of("").lung_acts);
+  CHECK_FALSE(make_trunk(of("")).model.pleura);
+  const Scenario lung = of("[lung]\nelastance_cmH2O_per_L = 5\nresistance_cmH2O_s_per_L = 2\n");
+  CHECK(lung.lung_acts);
+  CHECK(lung.parameters.lung_elastance == Approx(5 * 98.0665 / 1e-3));
+  CHECK(lung.parameters.resistance == Approx(2 * 98.0665 / 1e-3));
+  const Scenario airway = of("[airway]\npressure_cmH2O = 8\ntube_resistance_cmH2O_s_per_L = 3\n");
+  CHECK(airway.lung_acts);
+  for (const double time_s : {-1.0, 0.0, 9.0})
+    CHECK(airway.pleura.airway_pressure(time_s) == Approx(8 * 98.0665));
+  CHECK(make_trunk(airway).model.pleura->tube_resistance == Approx(3 * 98.0665 / 1e-3));
+  const Scenario course = of("[airway]\npressure_cmH2O = [[1.0, 0.0], [2.0, 10.0]]\n");
+  CHECK(course.pleura.airway_pressure(0.5) == 0.0);
+  CHECK(course.pleura.airway_pressure(1.5) == Approx(5 * 98.0665));
+  CHECK(of("", {"airway.pressure_cmH2O=-4"}).pleura.airway_pressure(0.0) == Approx(-4 * 98.0665));
+  CHECK(of("", {"lung.elastance_cmH2O_per_L=0"}).lung_acts);
+}
+
+TEST_CASE("Keys of the lung and the airway are checked", "[unit][io]") {
+  TemporaryFolder folder;
+  const auto message = [&](const std::string& tables) -> std::string {
+    try {
+      make_trunk(
+          read_scenario(folder.write("lung.toml", "schema = \"trunk.scenario/1\"\n" + tables)).scenario);
+    } catch (const std::exception& error) {
+      return error.what();
+    }
+    return "";
+  };
+  CHECK_THAT(message("[airway]\npressure_mbar = 5\n"), Contains("airway.pressure_cmH2O"));
+  CHECK_THAT(message("[lung]\ncompliance = 5\n"), Contains("unknown key 'lung.compliance'"));
+  CHECK_THAT(message("[airway]\npressure_cmH2O = \"high\"\n"), Contains("pairs"));
+  CHECK_THAT(message("[airway]\npressure_cmH2O = [[0.0, 0.0], [1.0, 300.0]]\n"), Contains("-200 to 200"));
+  CHECK_THAT(message("[airway]\npressure_cmH2O = [[1.0, 0.0], [0.0, 3.0]]\n"), Contains("increas"));
+  CHECK_THAT(message("[lung]\nelastance_cmH2O_per_L = -1\n"), Contains("0 to 1000"));
+  const std::string rises = "[airway]\npressure_cmH2O = [[0.0, 0.0], [1.0, 5.0]]\n";
+  CHECK(message(rises) == "");
+  CHECK_THAT(message(rises + "[time]\nstart = \"periodic\"\n"),
+             Contains("airway.pressure_cmH2O") && Contains("cannot repeat"));
+}
