@@ -207,6 +207,28 @@ TEST_CASE("The shares of a particle in both sides sum to one", "[unit][anatomy]"
   CHECK(share_of_side(Side::right, 0.1) == 1.0);  // +x is the subject's right
 }
 
+TEST_CASE("Damping by area is that of the template, however fine the mesh is", "[property][anatomy]") {
+  const auto total_of = [](int resolution, DampingBy share) {
+    TrunkGeometry geometry;
+    geometry.resolution = resolution;
+    const Trunk trunk = make_template_trunk(geometry, Tissue{.damping = share}, Reaction::variational);
+    double sum = 0.0, dome = 0.0;
+    for (const int i : trunk.model.abdomen.rings.vertex)
+      sum += trunk.model.damping_weight[static_cast<std::size_t>(i)];
+    for (const int i : trunk.mesh.named("central_tendon"))
+      dome += trunk.model.damping_weight[static_cast<std::size_t>(i)];
+    return std::pair{sum, dome};
+  };
+  const auto [particles, dome] = total_of(1, DampingBy::particle);
+  CHECK(particles == 92.0);
+  CHECK(dome == 19.0);
+  const auto [coarse, coarse_dome] = total_of(1, DampingBy::area);
+  CHECK(coarse == Approx(92.0).epsilon(1e-3));
+  CHECK(std::abs(coarse_dome / dome - 1.0) > 0.05);  // the triangles of the dome are not of the mean size
+  // The surface itself changes by a few percent, as its corners are cut less.
+  CHECK(total_of(3, DampingBy::area).first == Approx(coarse).epsilon(0.05));
+}
+
 TEST_CASE("Impossible sizes are refused", "[unit][anatomy]") {
   const auto make = [](auto change) {
     TrunkGeometry g;

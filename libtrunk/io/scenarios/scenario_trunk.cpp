@@ -50,7 +50,8 @@ void require_effect(const Setting& setting, const Scenario& s) {
   const bool geometry = setting.key.starts_with("geometry.") && setting.key != "geometry.pml";
   const bool mass = setting.key == "tissue.particle_mass_kg" && has_number(given.mass);
   const bool tendon = setting.key == "tissue.tendon_stiffness_factor" && has_number(given.stiffness);
-  if (geometry || mass || tendon)
+  const bool damping = setting.key == "tissue.damping" && has_number(given.damping);
+  if (geometry || mass || tendon || damping)
     throw InputError(setting.at, fmt::format("has no effect, since the trunk comes from {}", s.mesh_file),
                      "a key that this file does not determine", "remove the setting, or change the file");
 }
