@@ -129,8 +129,8 @@ std::vector<NamedValue> measures_of(const BreathSummary& run) {
   add("gastric_swing_cmH2O", "cmH2O", run.swings->gastric_Pa / Pa_per_cmH2O);
   add("pleural_swing_cmH2O", "cmH2O", run.swings->pleural_Pa / Pa_per_cmH2O);
   add("transdiaphragmatic_swing_cmH2O", "cmH2O", run.swings->transdiaphragmatic_Pa / Pa_per_cmH2O);
-  add("excursion_right_most_risen_mm", "mm", -run.right_rise / m_per_mm);
-  add("excursion_left_most_risen_mm", "mm", -run.left_rise / m_per_mm);
+  add("excursion_right_most_risen_mm", "mm", 0.0 - run.right_rise / m_per_mm);
+  add("excursion_left_most_risen_mm", "mm", 0.0 - run.left_rise / m_per_mm);
   return values;
 }
 

@@ -126,6 +126,15 @@ class Results(SweepTest):
         for name in ("delta_v_ml", "excursion_left_mm", "abdominal_pressure_peak_cmH2O"):
             self.assertEqual(float(self.rows()[1][name]), alone[name])
 
+    def test_lungs_side_by_side(self):
+        short = ("--set", "time.dt_ms=3", "--set", "time.duration_s=0.3")
+        self.succeeds("sweep", self.design('"lung.elastance_cmH2O_per_L" = [0, 5, 10, 15]\n"time.dt_ms" = [3]\n'
+                                           '"time.duration_s" = [0.3]\n'), "-o", "d")
+        alone = self.succeeds("simulate", HEALTHY, "-o", "r.h5", "--set", "lung.elastance_cmH2O_per_L=10", *short)
+        for name in ("delta_v_ml", "pleural_swing_cmH2O", "transdiaphragmatic_swing_cmH2O"):
+            self.assertEqual(float(self.rows()[2][name]), alone[name])
+        self.assertNotIn("pleural_swing_cmH2O", self.succeeds("simulate", HEALTHY, "-o", "none.h5", *short))
+
     def test_two_sweeps_are_the_same_files(self):
         design = self.muscles(4)
         found = []
