@@ -100,11 +100,15 @@ class TrunkTest(unittest.TestCase):
         self.assert_no_part()
         return outcome.json()
 
-    def refused(self, *arguments, says=(), code=2, **options):
-        """One line on stderr that holds all of `says` (regular expressions), nothing on stdout, nothing written."""
+    def refused(self, *arguments, says=(), code=2, after_notes=False, **options):
+        """One line on stderr that holds all of `says` (regular expressions), nothing on stdout, nothing written. Notes
+        about the input may stand before it if `after_notes`."""
         before = self.contents()
         outcome = self.trunk(*arguments, **options)
         self.assertEqual(outcome.code, code, str(outcome))
+        if after_notes:
+            self.assertRegex(outcome.err, r"\Anote: ")
+            outcome.err = re.sub(r"\A(note: [^\n]*\n)+", "", outcome.err)
         self.assert_one_line(outcome)
         self.assertEqual(outcome.out, "", str(outcome))
         for pattern in [says] if isinstance(says, str) else says:

@@ -123,7 +123,7 @@ class Compare(TrunkTest):
         self.refused("compare", "r.h5", "--surface", surface, "-o", "map.xyz", says="csv or .vtp")
         self.refused("compare", "r.h5", "--surface", "none.stl", says="none.stl: no such file")
         self.refused("compare", surface, "--surface", surface, says="lung.obj")
-        self.refused("compare", "r.h5", "--surface", "r.h5", says="format is not known")
+        self.refused("compare", "r.h5", "--surface", "r.h5", says="an HDF5 file found; expected a surface")
 
     def test_the_measured_diaphragm(self):
         surface = shared_file("surfaces/diaphragm.pml")
@@ -133,8 +133,10 @@ class Compare(TrunkTest):
         result = self.succeeds("compare", "r.h5", "--surface", surface, "--at", "start", "--align")
         # The template is of another size, but of the same shape: 10 mm is a tenth of its depth.
         self.assertLess(result["surface_to_model"]["rms_mm"], 12)
-        mirrored = self.succeeds("compare", "r.h5", "--surface", surface, "--at", "start", "--align", "--axes", "LIA")
-        self.assertGreater(mirrored["surface_to_model"]["rms_mm"], 1.3 * result["surface_to_model"]["rms_mm"])
+        upside_down = self.trunk("compare", "r.h5", "--surface", surface, "--at", "start", "--align", "--axes", "LIA", "--json")
+        self.assertEqual(upside_down.code, 3, str(upside_down))
+        self.assertRegex(upside_down.err, r"--align turned the surface by \d\d degrees; expected at most 30")
+        self.assertGreater(upside_down.json()["surface_to_model"]["rms_mm"], 1.3 * result["surface_to_model"]["rms_mm"])
 
 
 if __name__ == "__main__":
