@@ -21,6 +21,7 @@ set(TRUNK_TOPICS
   "fitting|fit/README.md|traces, breaths, the fit and its verdict"
   "pressures|fit/channels/README.md|pressures beside volume, numbers of a clinic"
   "sweeps|fit/sweep/README.md|many breaths, many subjects, sweeps and clusters"
+  "structure|fit/structure/README.md|what choices of the model are worth"
   "scenarios|scenarios/README.md|the shipped ones, keys, loads, a trunk of your own"
   "model|libtrunk/README.md|the equations, the map of the code, the libraries"
   "results|libtrunk/io/README.md|result files, and readers in Python and MATLAB"

@@ -18,6 +18,8 @@ RowPrediction row_prediction(const PredictionSummary& p) {
   for (const Predicted& n : p.numbers) {
     const bool ratio = n.name == "ratio_percent";
     RowEstimate e{p.name + (ratio ? "_percent" : "_" + n.name), n.unit, n.value, n.lower95, n.upper95};
+    e.structural_lower95 = n.structural_lower95;
+    e.structural_upper95 = n.structural_upper95;
     if (ratio)
       row.ratio = std::move(e);
     else

@@ -33,6 +33,10 @@ void add(const RowEstimate& e, std::vector<Cell>& cells) {
   cells.push_back(number_cell(e.name, e.value));
   cells.push_back(number_cell(e.name + "_lower95", e.lower95));
   cells.push_back(number_cell(e.name + "_upper95", e.upper95));
+  if (std::isfinite(e.structural_lower95)) {
+    cells.push_back(number_cell(e.name + "_structural_lower95", e.structural_lower95));
+    cells.push_back(number_cell(e.name + "_structural_upper95", e.structural_upper95));
+  }
   if (!e.grade.empty()) cells.push_back({e.name + "_grade", e.grade});
   if (e.at_bound) cells.push_back({e.name + "_at_bound", *e.at_bound ? "1" : "0"});
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,6 +15,8 @@ struct RowEstimate {
   double value = 0.0, lower95 = 0.0, upper95 = 0.0;
   std::string grade{};             // of a result; or ""
   std::optional<bool> at_bound{};  // of a parameter that is no result; at a bound it has no interval
+  double structural_lower95 = std::numeric_limits<double>::quiet_NaN();  // of a prediction
+  double structural_upper95 = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// A scenario that was predicted.

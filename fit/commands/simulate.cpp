@@ -1,8 +1,11 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <limits>
+#include <optional>
 
 #include "commands/commands.hpp"
+#include "commands/text/structure_text.hpp"
 #include "files/replace_file.hpp"
 #include "math/units.hpp"
 #include "prediction/predict.hpp"
@@ -12,6 +15,8 @@
 #include "results/write/write_run.hpp"
 #include "scenarios/build_trunk.hpp"
 #include "sheet/sheet.hpp"
+#include "structure/ensemble.hpp"
+#include "subject/structure_json.hpp"
 
 namespace trunk {
 namespace {
@@ -20,18 +25,39 @@ struct SimulateRequest {
   std::string scenario, output, parameters_from;
   std::vector<std::string> settings;
   std::optional<double> frame_every_ms;
+  bool structural = false, not_structural = false;  // neither: if a fit gives intervals
 };
 
-Json summary(const Trunk& trunk, const Scenario& scenario, const BreathRun& run,
-             const std::optional<Prediction>& prediction) {
+/// What came of a simulation.
+struct Simulated {
+  BreathRun run;
+  std::vector<Predicted> numbers;  // with intervals, where they are known
+  std::size_t draws = 0;           // 0: no interval comes from a fit
+  int failed_draws = 0;
+  Structure structure{};
+};
+
+/// Returns the ends of all intervals that are known.
+std::vector<NamedValue> all_intervals(const Simulated& s) {
+  std::vector<NamedValue> ends;
+  if (s.draws > 0) ends = intervals_of(s.numbers, s.failed_draws);
+  if (!s.structure.empty())
+    for (NamedValue& end : structural_intervals_of(s.numbers)) ends.push_back(std::move(end));
+  return ends;
+}
+
+Json summary(const Trunk& trunk, const Scenario& scenario, const Simulated& s) {
+  const BreathRun& run = s.run;
   Json json{{"schema", "trunk.simulate/1"}, {"status", status_word(run.ending.status)}};
-  for (const NamedValue& v : measures_of(run)) json[v.name] = json_number(v.value);
-  if (prediction) {
-    for (const Predicted& p : prediction->numbers) json[p.name] = json_number(p.value);
-    for (const NamedValue& v : intervals_of(prediction->numbers, prediction->failed))
-      json[v.name] = json_number(v.value);
-    json["draws"] = prediction->delta_v_draws_m3.size();
-    json["failed_draws"] = prediction->failed;
+  for (const Predicted& p : s.numbers) json[p.name] = json_number(p.value);
+  for (const NamedValue& v : all_intervals(s)) json[v.name] = json_number(v.value);
+  if (s.draws > 0) {
+    json["draws"] = s.draws;
+    json["failed_draws"] = s.failed_draws;
+  }
+  if (!s.structure.empty()) {
+    for (const Predicted& p : s.numbers) json["structural_shares"][p.name] = shares_json(s.structure, p.name);
+    add_choices(s.structure, json);
   }
   json["particles"] = trunk.model.particles();
   json["triangles"] = trunk.mesh.distinct_triangles();
@@ -65,14 +91,24 @@ void note_loads(const Scenario& s, const BreathRun& run) {
         at_end));
 }
 
-std::string table(const BreathRun& run, const std::optional<Prediction>& prediction) {
-  if (!prediction) return aligned(measures_of(run));
-  std::string text;
-  for (const Predicted& p : prediction->numbers)
-    text += fmt::format("  {:<33}  {:>10}  {:>22} {}\n", p.name, shown(p.value, "{:.4g}"),
-                        shown(p.lower95, "{:.4g}") + " to " + shown(p.upper95, "{:.4g}"),
-                        p.unit == "1" ? "" : p.unit);
-  return text;
+std::string table(const Simulated& s) {
+  if (s.draws == 0 && s.structure.empty()) return aligned(measures_of(s.run));
+  const auto range = [](double lower, double upper) {
+    return shown(lower, "{:.4g}") + " to " + shown(upper, "{:.4g}");
+  };
+  std::string text = fmt::format("  {:<33}  {:>10}", "", "");
+  if (s.draws > 0) text += fmt::format("  {:>22}", "interval of the fit");
+  if (!s.structure.empty()) text += fmt::format("  {:>22}", "choices of the model");
+  text += "\n";
+  for (const Predicted& p : s.numbers) {
+    text += fmt::format("  {:<33}  {:>10}", p.name, shown(p.value, "{:.4g}"));
+    if (s.draws > 0) text += fmt::format("  {:>22}", range(p.lower95, p.upper95));
+    if (!s.structure.empty())
+      text += fmt::format("  {:>22}", range(p.structural_lower95, p.structural_upper95));
+    text += fmt::format(" {}\n", p.unit == "1" ? "" : p.unit);
+  }
+  return text + structure_table(s.structure, {"delta_v_ml", "excursion_right_mm", "excursion_left_mm",
+                                              "delta_l_mm", "delta_h_mm"});
 }
 
 /// Returns what the draws of the fit do in the scenario; none if there are no draws. Throws Cancelled.
@@ -92,6 +128,36 @@ std::optional<Prediction> predicted(const StoredSubject& subject, const Scenario
   return predict(at_home, {{file.path, there}}, execution).front();
 }
 
+/// Returns the scenario in which the subject's tidal volume was measured: that of its fit, or else the same
+/// one with nothing paralysed.
+Scenario own_scenario(const StoredSubject& subject, const Scenario& scenario) {
+  if (subject.own) return subject.own->scenario;
+  Scenario healthy = scenario;
+  healthy.tissue.paralysed = Side::none;
+  return healthy;
+}
+
+Simulated simulated(const StoredSubject& subject, const ScenarioFile& file, const Trunk& trunk,
+                    const SimulateRequest& request) {
+  Simulated s{run_breath(trunk, file.scenario, frame_stride(file.scenario)), {}};
+  if (const auto prediction = predicted(subject, file, trunk, request.settings)) {
+    s.numbers = prediction->numbers;
+    s.draws = prediction->delta_v_draws_m3.size();
+    s.failed_draws = prediction->failed;
+  } else {
+    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+    for (const NamedValue& m : measures_of(s.run))
+      s.numbers.push_back({m.name, m.unit, m.value, unknown, unknown, unknown});
+  }
+  if (request.not_structural || !(request.structural || s.draws > 0)) return s;
+  Execution execution;
+  execution.cancelled = [] { return interrupted(); };
+  s.structure = add_structural_intervals(own_scenario(subject, file.scenario), {file.scenario},
+                                         declared_choices(), execution, {&s.numbers})
+                    .front();
+  return s;
+}
+
 Exit simulate_command(const Common& common, const SimulateRequest& request) {
   ScenarioFile file = read_scenario(request.scenario);
   StoredSubject subject;
@@ -105,17 +171,18 @@ Exit simulate_command(const Common& common, const SimulateRequest& request) {
   require_apart(file.inputs, {request.output});
   const Trunk trunk = build_timed_trunk(file, subject.draws.empty() ? 1.0 : stiffer_in_searches);
   require_writable_output(request.output, common.force);
-  const BreathRun run = run_breath(trunk, file.scenario, frame_stride(file.scenario));
-  const std::optional<Prediction> prediction = predicted(subject, file, trunk, request.settings);
+  const Simulated s = simulated(subject, file, trunk, request);
+  const BreathRun& run = s.run;
   RunRecord record = run_record(file, trunk, run, {}, provenance_of(file.inputs, common.argv));
-  if (prediction) record.intervals = intervals_of(prediction->numbers, prediction->failed);
+  record.intervals = all_intervals(s);
+  record.structure = s.structure;
   write_run(request.output, record);
 
-  if (subject.own && !prediction)
-    print_note(
-        fmt::format("note: {} keeps no draws of its parameters, so no number here has an interval; fit "
-                    "the trace again to have them",
-                    request.parameters_from));
+  if (subject.own && s.draws == 0)
+    print_note(fmt::format(
+        "note: {} keeps no draws of its parameters, so no number here has an interval of the fit; "
+        "fit the trace again to have them",
+        request.parameters_from));
   note_loads(file.scenario, run);
   if (run.flipped_triangles > 0)
     print_note(fmt::format(
@@ -129,9 +196,9 @@ Exit simulate_command(const Common& common, const SimulateRequest& request) {
                         parameters.elasticity, bending_stiffness(parameters.elasticity));
   const std::string text = fmt::format(
       "{}: {}\n{}{}  {} particles, {} steps of {:g} ms in {:.1f} ms; written to {}", file.scenario.title,
-      run.ending.message, table(run, prediction), bending, trunk.model.particles(), run.ending.steps,
+      run.ending.message, table(s), bending, trunk.model.particles(), run.ending.steps,
       ms_per_s * file.scenario.time.dt_s, ms_per_s * run.wall_s, request.output);
-  print_result(common, summary(trunk, file.scenario, run, prediction), text);
+  print_result(common, summary(trunk, file.scenario, s), text);
   return run.ending.completed() ? Exit::done : Exit::not_converged;
 }
 
@@ -158,6 +225,12 @@ void add_simulate(CLI::App& app, Common& common, Run& run) {
           "run (HDF5). A fit also gives the period, and whether breathing repeats, and every measure "
           "has an interval. The geometry stays the scenario's, and --set overrides both.")
       ->type_name("FILE");
+  auto* structural = command->add_flag(
+      "--structural", request->structural,
+      "Gives every measure an interval over choices of the model that no measurement settles, and shows what "
+      "each makes up. [with --from a fit]");
+  command->add_flag("--no-structural", request->not_structural, "Leaves these intervals out.")
+      ->excludes(structural);
   command
       ->add_option(
           "--every", request->frame_every_ms,

@@ -170,6 +170,9 @@ std::vector<NamedText> csv_tables(const FitRecord& fit) {
   if (!fit.surface.deviance.empty()) files.push_back({"surface.csv", surface(fit.surface)});
   if (!fit.breaths.empty()) files.push_back({"breaths.csv", fitted_breaths(fit)});
   if (!fit.predictions.empty()) files.push_back({"predictions.csv", predictions(fit)});
+  for (const FitRecord::Prediction& p : fit.predictions)
+    if (!p.structure.choices.empty())
+      files.push_back({"structure_" + p.name + ".csv", choices_and_shares(p.structure)});
   for (NamedText& file : csv_trajectory_tables(fit.best_run)) files.push_back(std::move(file));
   return files;
 }

@@ -76,6 +76,7 @@ std::vector<NamedText> csv_tables(const RunRecord& run) {
                                   {"measures.csv", names_and_numbers(run.measures)},
                                   {"parameters.csv", names_and_numbers(run.parameters)}};
   if (!run.intervals.empty()) files.push_back({"intervals.csv", names_and_numbers(run.intervals)});
+  if (!run.structure.choices.empty()) files.push_back({"structure.csv", choices_and_shares(run.structure)});
   for (NamedText& file : csv_trajectory_tables(run)) files.push_back(std::move(file));
   return files;
 }

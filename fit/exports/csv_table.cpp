@@ -51,4 +51,21 @@ std::string series_over_time(const std::vector<double>& time_s, const std::vecto
   return table.csv();
 }
 
+std::string choices_and_shares(const Structure& s) {
+  CsvTable table;
+  table.add("choice", "", each(s.choices, &Structure::Choice::name));
+  table.add("keys", "", each(s.choices, &Structure::Choice::keys));
+  table.add("unit", "", each(s.choices, &Structure::Choice::unit));
+  table.add("low", "", each(s.choices, &Structure::Choice::low));
+  table.add("value", "", each(s.choices, &Structure::Choice::value));
+  table.add("high", "", each(s.choices, &Structure::Choice::high));
+  table.add("source", "", each(s.choices, &Structure::Choice::source));
+  for (std::size_t m = 0; m < s.measures.size(); ++m) {
+    const auto row = s.shares.begin() + static_cast<std::ptrdiff_t>(m * s.choices.size());
+    table.add("share_" + s.measures[m], "",
+              std::vector<double>(row, row + static_cast<std::ptrdiff_t>(s.choices.size())));
+  }
+  return table.csv();
+}
+
 }  // namespace trunk

@@ -55,6 +55,10 @@ auto each(const std::vector<Record>& records, Member member) {
 /// Returns a table with the columns name, value and unit.
 std::string names_and_numbers(const std::vector<NamedValue>& numbers);
 
+/// Returns a table with one row for each choice of the model: its keys and range, and a column share_X for
+/// each number X that has a structural interval.
+std::string choices_and_shares(const Structure& structure);
+
 /// Returns a table with a column of times, s, and one column for each series.
 std::string series_over_time(const std::vector<double>& time_s, const std::vector<Series>& series);
 

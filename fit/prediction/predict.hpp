@@ -15,7 +15,8 @@ struct Prediction {
   /// ratio_percent, of the two volumes draw by draw: what both share cancels.
   std::vector<Predicted> numbers;
   std::vector<double> delta_v_draws_m3, own_draws_m3;  // [draws]; NaN if the simulation failed
-  int failed = 0;  // draws of which one of the two simulations did not complete
+  int failed = 0;         // draws of which one of the two simulations did not complete
+  Structure structure{};  // of the structural intervals; empty if they were not asked for
 };
 
 /// Where candidates are simulated. What it refers to must outlive it.

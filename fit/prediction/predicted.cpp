@@ -46,4 +46,13 @@ std::vector<NamedValue> intervals_of(const std::vector<Predicted>& numbers, int 
   return ends;
 }
 
+std::vector<NamedValue> structural_intervals_of(const std::vector<Predicted>& numbers) {
+  std::vector<NamedValue> ends;
+  for (const Predicted& p : numbers) {
+    ends.push_back({p.name + "_structural_lower95", p.unit, p.structural_lower95});
+    ends.push_back({p.name + "_structural_upper95", p.unit, p.structural_upper95});
+  }
+  return ends;
+}
+
 }  // namespace trunk

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,8 @@ namespace trunk {
 struct Predicted {
   std::string name, unit;
   double value = 0.0, median = 0.0, lower95 = 0.0, upper95 = 0.0;
+  double structural_lower95 = std::numeric_limits<double>::quiet_NaN();  // over choices of the model
+  double structural_upper95 = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// Returns the first value, which belongs to the best estimate, with percentiles of all others, which belong
@@ -23,5 +26,8 @@ std::vector<Predicted> predicted_measures(const std::vector<std::vector<NamedVal
 /// Returns both ends of each interval, called X_lower95 and X_upper95 for a number X, then failed_draws, the
 /// count of draws that did not complete.
 std::vector<NamedValue> intervals_of(const std::vector<Predicted>& numbers, int failed_draws);
+
+/// Returns both ends of each structural interval, called X_structural_lower95 and X_structural_upper95.
+std::vector<NamedValue> structural_intervals_of(const std::vector<Predicted>& numbers);
 
 }  // namespace trunk

@@ -121,10 +121,29 @@ Json breath_contents(const FitRecord& fit) {
   return breaths;
 }
 
+Json structure_contents(const Structure& s) {
+  if (s.empty()) return nullptr;
+  Json choices = Json::array();
+  for (const Structure::Choice& c : s.choices)
+    choices.push_back({{"name", c.name},
+                       {"unit", c.unit},
+                       {"source", c.source},
+                       {"low", number_or_null(c.low)},
+                       {"value", number_or_null(c.value)},
+                       {"high", number_or_null(c.high)}});
+  return {{"choices", choices},
+          {"measures", s.measures},
+          {"shares", json_list(s.shares)},
+          {"left_out", s.left_out}};
+}
+
 Json prediction_contents(const FitRecord& fit) {
   Json predictions = Json::array();
   for (const FitRecord::Prediction& p : fit.predictions)
-    predictions.push_back({{"name", p.name}, {"scenario", p.scenario}, {"numbers", json_table(p.numbers)}});
+    predictions.push_back({{"name", p.name},
+                           {"scenario", p.scenario},
+                           {"numbers", json_table(p.numbers)},
+                           {"structure", structure_contents(p.structure)}});
   return predictions;
 }
 

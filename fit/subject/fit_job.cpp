@@ -14,6 +14,7 @@
 #include "records/provenance.hpp"
 #include "records/stored_subject.hpp"
 #include "results/write/write_fit.hpp"
+#include "structure/ensemble.hpp"
 #include "subject/clinic_json.hpp"
 #include "subject/record.hpp"
 
@@ -179,8 +180,22 @@ std::vector<Prediction> FitJob::predictions(const FitOutcome& outcome) const {
   std::vector<std::pair<std::string, Drawn>> others;
   for (const OtherScenario& o : others_)
     others.emplace_back(o.file.path, Drawn{{o.trunk, o.file.scenario.time}, candidates});
-  return predict({{fit_->trunk(), fit_->file().scenario.time}, candidates}, others,
-                 fit_->plan().estimation.execution);
+  const Execution& execution = fit_->plan().estimation.execution;
+  std::vector<Prediction> all =
+      predict({{fit_->trunk(), fit_->file().scenario.time}, candidates}, others, execution);
+  if (!request_.structural || all.empty()) return all;
+  std::vector<Scenario> scenarios;
+  std::vector<std::vector<Predicted>*> numbers;
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    scenarios.push_back(others_[k].file.scenario);
+    scenarios.back().parameters = candidates.front().parameters;
+    scenarios.back().activation = candidates.front().activation;
+    numbers.push_back(&all[k].numbers);
+  }
+  std::vector<Structure> structures = add_structural_intervals(
+      fit_->fitted(outcome.estimation).scenario, scenarios, declared_choices(), execution, numbers);
+  for (std::size_t k = 0; k < all.size(); ++k) all[k].structure = std::move(structures[k]);
+  return all;
 }
 
 void FitJob::store(const FitOutcome& outcome, const std::string& argv) {

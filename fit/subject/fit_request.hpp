@@ -13,6 +13,7 @@ struct FitRequest {
   std::string cohort;                // file that lists the subjects; empty: one trace is fitted
   std::vector<std::string> predict;  // files of other scenarios
   int draws = 64;
+  bool structural = true;        // predictions have structural intervals
   double tidal_volume_ml = 0.0;  // 0: not given
   SignalOptions signal;
   BreathSelection selection;

@@ -4,6 +4,7 @@
 
 #include "math/units.hpp"
 #include "subject/record.hpp"
+#include "subject/structure_json.hpp"
 
 namespace trunk {
 namespace {
@@ -13,28 +14,38 @@ double number_from(const Json& json, const char* key) {
   return value.is_null() ? std::nan("") : value.get<double>();
 }
 
-Json to_json(const Predicted& p) {
-  return {{"value", json_number(p.value)},
-          {"unit", p.unit},
-          {"median", json_number(p.median)},
-          {"lower95", json_number(p.lower95)},
-          {"upper95", json_number(p.upper95)}};
+Json to_json(const Predicted& p, const Structure& structure) {
+  Json json{{"value", json_number(p.value)},
+            {"unit", p.unit},
+            {"median", json_number(p.median)},
+            {"lower95", json_number(p.lower95)},
+            {"upper95", json_number(p.upper95)}};
+  if (structure.empty()) return json;
+  json["structural_lower95"] = json_number(p.structural_lower95);
+  json["structural_upper95"] = json_number(p.structural_upper95);
+  json["structural_shares"] = shares_json(structure, p.name);
+  return json;
 }
 
 Predicted predicted_from(const std::string& name, const Json& json) {
-  return {name,
-          json.at("unit").get<std::string>(),
-          number_from(json, "value"),
-          number_from(json, "median"),
-          number_from(json, "lower95"),
-          number_from(json, "upper95")};
+  Predicted p{name,
+              json.at("unit").get<std::string>(),
+              number_from(json, "value"),
+              number_from(json, "median"),
+              number_from(json, "lower95"),
+              number_from(json, "upper95")};
+  if (!json.contains("structural_lower95")) return p;
+  p.structural_lower95 = number_from(json, "structural_lower95");
+  p.structural_upper95 = number_from(json, "structural_upper95");
+  return p;
 }
 
 Json to_json(const PredictionSummary& p) {
   Json json{{"scenario", p.scenario}};
-  for (const Predicted& number : p.numbers) json[number.name] = to_json(number);
+  for (const Predicted& number : p.numbers) json[number.name] = to_json(number, p.structure);
   json["draws"] = p.draws;
   json["failed"] = p.failed;
+  add_choices(p.structure, json);
   return json;
 }
 
@@ -46,6 +57,7 @@ PredictionSummary prediction_from(const std::string& name, const Json& json) {
                       json.at("failed").get<int>()};
   for (const auto& [key, value] : json.items())
     if (value.is_object()) p.numbers.push_back(predicted_from(key, value));
+  p.structure = structure_from(json);
   return p;
 }
 
@@ -93,7 +105,7 @@ const Predicted& PredictionSummary::operator[](std::string_view number) const {
 }
 
 PredictionSummary summary_of(const Prediction& p) {
-  return {short_name(p.scenario), p.scenario, p.numbers, p.delta_v_draws_m3.size(), p.failed};
+  return {short_name(p.scenario), p.scenario, p.numbers, p.delta_v_draws_m3.size(), p.failed, p.structure};
 }
 
 FitSummary summary_of(const SubjectFit& fit, const FitOutcome& outcome) {

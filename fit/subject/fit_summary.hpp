@@ -11,7 +11,8 @@ struct PredictionSummary {
   std::string scenario;            // its file
   std::vector<Predicted> numbers;  // see Prediction
   std::size_t draws = 0;
-  int failed = 0;  // draws of which one of the two simulations did not complete
+  int failed = 0;         // draws of which one of the two simulations did not complete
+  Structure structure{};  // of the structural intervals; or empty
 
   /// Returns the number of that name, which must be there.
   const Predicted& operator[](std::string_view number) const;

@@ -10,11 +10,13 @@
 namespace trunk {
 namespace {
 
-void add(const Predicted& p, std::vector<NamedValue>& numbers) {
+void add(const Predicted& p, bool structural, std::vector<NamedValue>& numbers) {
   numbers.push_back({p.name, p.unit, p.value});
   numbers.push_back({p.name + "_median", p.unit, p.median});
   numbers.push_back({p.name + "_lower95", p.unit, p.lower95});
   numbers.push_back({p.name + "_upper95", p.unit, p.upper95});
+  if (!structural) return;
+  for (NamedValue& end : structural_intervals_of({p})) numbers.push_back(std::move(end));
 }
 
 FitRecord::Result record_of(const FitResult& r) {
@@ -106,8 +108,9 @@ void add_clinic(const MeasuredBreath& breath, const std::vector<ClinicNumber>& n
 
 void add_predictions(const std::vector<Prediction>& predictions, FitRecord& record) {
   for (const Prediction& p : predictions) {
-    FitRecord::Prediction r{short_name(p.scenario), p.scenario, {}, p.delta_v_draws_m3, p.own_draws_m3};
-    for (const Predicted& number : p.numbers) add(number, r.numbers);
+    FitRecord::Prediction r{short_name(p.scenario), p.scenario,     {},
+                            p.delta_v_draws_m3,     p.own_draws_m3, p.structure};
+    for (const Predicted& number : p.numbers) add(number, !p.structure.empty(), r.numbers);
     r.numbers.push_back({"failed", "1", static_cast<double>(p.failed)});
     record.predictions.push_back(std::move(r));
   }

@@ -15,8 +15,7 @@ namespace {
 // The profile of the diaphragm above the zone of apposition, as fractions of the trunk's half-axes and of the
 // dome height (our choice): steep muscular flanks up to the border of the central tendon, flat above it, with
 // a slight saddle between the domes where the heart lies.
-constexpr double tendon_border_size = 0.79, tendon_border_height = 0.75;
-constexpr double dome_top_size = 0.62, saddle_height = 0.95;
+constexpr double tendon_border_height = 0.75, dome_top_size = 0.62, saddle_height = 0.95;
 
 /// Returns the stations of the abdominal compartment from the pelvis up.
 std::vector<Station> abdominal_profile(const TrunkGeometry& g) {
@@ -32,7 +31,7 @@ std::vector<Station> abdominal_profile(const TrunkGeometry& g) {
           {"costal_insertion", "zone_of_apposition", 12, 1.0, costal, 0.0},
           {"zone_of_apposition", "zone_of_apposition", 12, 1.0, 0.5 * (costal + top), 0.0},
           {"zone_of_apposition", "muscular_dome", 12, 1.0, top, 0.0},
-          dome("central_tendon", "central_tendon", 12, tendon_border_size, tendon_border_height),
+          dome("central_tendon", "central_tendon", 12, g.tendon_border_size, tendon_border_height),
           dome("central_tendon", "central_tendon", 6, dome_top_size, 1.0),
           dome("central_tendon", "", 1, 0.0, saddle_height)};
 }
@@ -156,6 +155,9 @@ void require_possible(const TrunkGeometry& g) {
     if (!std::isfinite(length) || length <= 0.0)
       throw InputError({}, fmt::format("a length or volume of the trunk is {}", length),
                        "a finite number above 0");
+  if (!(g.tendon_border_size > dome_top_size && g.tendon_border_size < 1.0))
+    throw InputError({}, fmt::format("the border of the central tendon is at {:g}", g.tendon_border_size),
+                     fmt::format("above {:g} and below 1", dome_top_size));
   if (g.resolution < 1 || g.resolution > 16)
     throw InputError({}, fmt::format("the mesh resolution is {}", g.resolution), "1 to 16");
 }

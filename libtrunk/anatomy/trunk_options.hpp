@@ -18,7 +18,8 @@ struct TrunkGeometry {
   double dome_height_right = 0.070;  // top of the zone of apposition to the right dome
   double dome_height_left = 0.070;
   double end_expiratory_volume = 4760e-6;
-  int resolution = 1;  // particles along a length, relative to the 113-particle mesh
+  double tendon_border_size = 0.79;  // of the half-axes, at the border of the central tendon
+  int resolution = 1;                // particles along a length, relative to the 113-particle mesh
 };
 
 enum class Side { none, right, left, both };

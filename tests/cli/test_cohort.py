@@ -23,11 +23,43 @@ def noisy(deviation_ml, seed=1):
 
 
 class Prediction(TrunkTest):
-    def predicted(self, *options, text=None, output="f.h5", scenario=PARALYSED):
+    def predicted(self, *options, text=None, output="f.h5", scenario=PARALYSED, structural=False):
         self.file("t.csv", text or trace())
         fit = self.succeeds("fit", HEALTHY, "--trace", "t.csv", "-o", output, "--scenario", scenario, "--force",
-                            *options, codes=FITTED)
+                            *options, *(() if structural else ("--no-structural",)), codes=FITTED)
         return fit["predictions"]["hemiparalysis_right"]
+
+    def test_has_a_second_interval_over_choices_of_the_model(self):
+        p = self.predicted(*ONE, "--draws", "16", structural=True)
+        run = self.succeeds("simulate", PARALYSED, "-o", "r.h5", "--from", "f.h5", "--set", "time.dt_ms=3")
+        names = [name for name, number in p.items() if isinstance(number, dict)]
+        for name in names:
+            for end in ("structural_lower95", "structural_upper95"):
+                self.assertAlmostEqual(run[f"{name}_{end}"], p[name][end], delta=1e-9 * max(1, abs(p[name][end])), msg=name)
+            self.assertEqual(run["structural_shares"][name], p[name]["structural_shares"])
+        ratio, dome = p["ratio_percent"], p["excursion_right_mm"]
+        self.assertTrue(ratio["structural_lower95"] < ratio["value"] < ratio["structural_upper95"])
+        self.assertGreater(ratio["structural_upper95"] - ratio["structural_lower95"], 2)
+        self.assertAlmostEqual(sum(dome["structural_shares"].values()), 1)
+        self.assertIsNone(p["own_delta_v_ml"]["structural_shares"])  # the refit keeps it
+        ranges = {c["name"]: tuple(round(c[end], 9) for end in ("low", "value", "high")) for c in p["structural_choices"]}
+        self.assertEqual((ranges["abdominal_wall"], ranges["mesh"]), ((0.5, 0.8, 1.28), (1, 1, 2)))
+        self.assertEqual((p["structural_notes"], run["structural_choices"]), ([], p["structural_choices"]))
+        for file, group in (("r.h5", ""), ("f.h5", "predictions/hemiparalysis_right/")):
+            with h5py.File(self.folder / file) as stored:
+                structure = stored[group + "structure"]
+                at = [name.decode() for name in structure["measure"]].index("excursion_right_mm")
+                kept = dict(zip([name.decode() for name in structure["choice"]], structure["share"][at]))
+                self.assertEqual(kept, dome["structural_shares"])
+        with h5py.File(self.folder / "r.h5") as stored:
+            self.assertEqual(stored["intervals/delta_l_mm_structural_upper95"][()], run["delta_l_mm_structural_upper95"])
+        self.succeeds("export", "f.h5", "--csv", "out")
+        rows = {r["choice"]: r for r in tables.DictReader(io.StringIO((self.folder / "out/structure_hemiparalysis_right.csv").read_text()))}
+        self.assertEqual(float(rows["mesh"]["share_excursion_right_mm"]), dome["structural_shares"]["mesh"])
+        self.succeeds("report", "f.h5", "-o", "f.html")
+        without = self.succeeds("simulate", PARALYSED, "-o", "s.h5", "--from", "f.h5", "--set", "time.dt_ms=3", "--no-structural")
+        self.assertEqual({key: value for key, value in run.items() if "structural" not in key and key != "wall_s"},
+                         {key: value for key, value in without.items() if key != "wall_s"})
 
     def test_best_is_the_simulation_from_the_fit_and_within_its_interval(self):
         p = self.predicted(*QUICK, text=noisy(5))
@@ -84,7 +116,7 @@ class Prediction(TrunkTest):
 
     def test_a_stored_fit_predicts_the_same_without_a_fit(self):
         p = self.predicted(*QUICK, "--draws", "32", text=noisy(5))
-        run = self.succeeds("simulate", PARALYSED, "-o", "r.h5", "--from", "f.h5", "--set", "time.dt_ms=3")
+        run = self.succeeds("simulate", PARALYSED, "-o", "r.h5", "--from", "f.h5", "--set", "time.dt_ms=3", "--no-structural")
         names = [name for name, number in p.items() if isinstance(number, dict)]
         self.assertLessEqual({"delta_v_percent", "excursion_right_mm", "delta_l_mm", "delta_h_mm", "ratio_percent",
                               "end_expiratory_above_relaxation_ml"}, set(names))
@@ -310,6 +342,7 @@ class Cohort(TrunkTest):
             self.assertEqual(float(row["nrmse_percent"]), alone["nrmse_percent"])
             self.assertEqual(float(row["hemiparalysis_right_delta_v_ml_upper95"]), p["delta_v_ml"]["upper95"])
             self.assertEqual(float(row["hemiparalysis_right_percent"]), p["ratio_percent"]["value"])
+            self.assertEqual(float(row["hemiparalysis_right_percent_structural_lower95"]), p["ratio_percent"]["structural_lower95"])
         self.assertEqual([rows["X"][key] for key in ("status", "grade", "k_muscle")], ["failed", "", ""])
 
     def test_a_gate_withholds_in_the_table_too(self):

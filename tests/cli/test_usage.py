@@ -9,7 +9,8 @@ from support import COARSE, HEALTHY, LIMIT_S, PROGRAM, ROOT, TrunkTest, trace
 
 COMMANDS = ("check", "simulate", "breaths", "fit", "sweep", "status", "merge", "validate", "inspect", "report",
             "export", "register", "compare", "diff", "replay")
-TOPICS = {"start": "README.md", "fitting": "fit/README.md", "pressures": "fit/channels/README.md", "sweeps": "fit/sweep/README.md",
+TOPICS = {"start": "README.md", "fitting": "fit/README.md", "pressures": "fit/channels/README.md",
+          "sweeps": "fit/sweep/README.md", "structure": "fit/structure/README.md",
           "scenarios": "scenarios/README.md", "model": "libtrunk/README.md", "results": "libtrunk/io/README.md",
           "registration": "libtrunk/registration/README.md", "evidence": "reference/README.md",
           "tests": "tests/README.md", "scripts": "scripts/README.md", "contributing": ".github/CONTRIBUTING.md"}

@@ -55,6 +55,11 @@ inline RunRecord sample_run() {
   run.parameters = {{"k_muscle", "N m-1", 30.7}, {"k_elasticity", "N m-1", 4000}};
   run.measures = {{"delta_v", "ml", 466.125}, {"delta_l", "mm", 9.13}, {"wall_s", "s", 0.25}};
   run.intervals = {{"delta_v_lower95", "ml", 450.5}, {"delta_v_upper95", "ml", 480.25}};
+  run.structure = {{{"wall", "parameters.abdomen_stiffness_factor", "1", "our choice", 0.5, 0.8, 1.25},
+                    {"mesh", "geometry.resolution", "1", "the next one", 1, 1, 2}},
+                   {"delta_v", "delta_l"},
+                   {std::nan(""), std::nan(""), 0.25, 0.75},
+                   {"dome_height is left out, because the trunk comes from a file"}};
   Trajectory& trajectory = run.trajectory;
   trajectory.particles = 3;
   for (int frame = 0; frame < 70; ++frame) {
@@ -134,8 +139,12 @@ inline FitRecord sample_fit() {
                  true};
   fit.breaths = {{"number", "1", {1, 2}}, {"k_muscle", "N m-1", {500, none}}};
   fit.breath_status = {"converged", "not converged: why"};
-  fit.predictions = {
-      {"paralysed", "paralysed.toml", {{"delta_v_ml", "ml", 220}}, {2e-4, 2.1e-4}, {4e-4, 4.1e-4}}};
+  fit.predictions = {{"paralysed",
+                      "paralysed.toml",
+                      {{"delta_v_ml", "ml", 220}},
+                      {2e-4, 2.1e-4},
+                      {4e-4, 4.1e-4},
+                      sample_run().structure}};
   fit.draws = {{"k_elasticity", "k_muscle"}, {3990, 499, 4010, 503}};
   fit.dV_baseline_m3 = {0, 3.9e-4, 1e-6};
   fit.bootstrap_lower95 = {3950, 480, none};

@@ -165,6 +165,12 @@ void add_prediction_options(CLI::App& command, FitRequest& r) {
       ->type_name("N")
       ->group(group)
       ->check(whole_number(0, 100000));
+  command
+      .add_flag(
+          "--structural,!--no-structural", r.structural,
+          "Gives numbers of a prediction a second interval, over choices of the model that no trace settles. "
+          "--no-structural leaves it out. [--structural]")
+      ->group(group);
 }
 
 }  // namespace

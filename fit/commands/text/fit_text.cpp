@@ -102,7 +102,7 @@ std::string fit_table(const SubjectFit& fit, const FitOutcome& outcome, bool det
   text += results_table(results);
   text += clinic_lines(outcome.clinic);
   if (detailed) text += details(fit, outcome);
-  return text + breaths_table(outcome.breaths) + predictions_table(outcome.predictions) +
+  return text + breaths_table(outcome.breaths) + predictions_table(outcome.predictions, detailed) +
          verdict_text(results);
 }
 

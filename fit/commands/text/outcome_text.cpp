@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "commands/text/output.hpp"
+#include "commands/text/structure_text.hpp"
 #include "math/units.hpp"
 #include "subject/fit_summary.hpp"
 #include "subject/record.hpp"
@@ -18,6 +19,19 @@ std::string predicted_text(const PredictionSummary& p, const char* name) {
   const std::string unit = n.unit == "percent" ? "%" : n.unit;
   if (!std::isfinite(n.lower95)) return fmt::format("{} {}", shown(n.value, "{:.4g}"), unit);
   return fmt::format("{:.4g} ({:.4g} to {:.4g}) {}", n.value, n.lower95, n.upper95, unit);
+}
+
+/// Returns how far numbers may be off by choices of the model, or "".
+std::string structural_text(const PredictionSummary& p) {
+  if (p.structure.empty()) return "";
+  const auto range = [&](const char* name) {
+    const Predicted& n = p[name];
+    return shown(n.structural_lower95, "{:.4g}") + " to " + shown(n.structural_upper95, "{:.4g}");
+  };
+  return fmt::format(
+      "    over choices of the model: {} % of its own; the domes {} mm right and {} mm left; shortening {} "
+      "mm\n",
+      range("ratio_percent"), range("excursion_right_mm"), range("excursion_left_mm"), range("delta_l_mm"));
 }
 
 }  // namespace
@@ -39,7 +53,7 @@ std::string breaths_table(const std::vector<BreathRefit>& breaths) {
                             1e3 * median_latency_s(breaths));
 }
 
-std::string predictions_table(const std::vector<Prediction>& predictions) {
+std::string predictions_table(const std::vector<Prediction>& predictions, bool detailed) {
   std::string text;
   for (const Prediction& prediction : predictions) {
     const PredictionSummary p = summary_of(prediction);
@@ -50,6 +64,10 @@ std::string predictions_table(const std::vector<Prediction>& predictions) {
     text += fmt::format("    the domes descend {} right and {} left; the zone of apposition shortens by {}\n",
                         predicted_text(p, "excursion_right_mm"), predicted_text(p, "excursion_left_mm"),
                         predicted_text(p, "delta_l_mm"));
+    text += structural_text(p);
+    if (detailed)
+      text += structure_table(p.structure,
+                              {"ratio_percent", "excursion_right_mm", "excursion_left_mm", "delta_l_mm"});
   }
   return text;
 }

@@ -8,6 +8,6 @@ namespace trunk {
 std::string breaths_table(const std::vector<BreathRefit>& breaths);
 
 /// Returns one line for each scenario that was predicted; "" if there are none.
-std::string predictions_table(const std::vector<Prediction>& predictions);
+std::string predictions_table(const std::vector<Prediction>& predictions, bool detailed);
 
 }  // namespace trunk

@@ -64,6 +64,22 @@ struct Trajectory {
   std::vector<std::string> contact_names;               //
 };
 
+/// The choices of the model behind structural intervals, and how much of each interval a choice makes up.
+struct Structure {
+  /// A choice that was varied over a range. `low`, `value` and `high` are of the first of its keys.
+  struct Choice {
+    std::string name, keys, unit;
+    std::string source;  ///< of the range
+    double low = 0, value = 0, high = 0;
+  };
+  std::vector<Choice> choices;        ///< [C]
+  std::vector<std::string> measures;  ///< [M] numbers that have a structural interval
+  std::vector<double> shares;  ///< [M*C] of the variance; a row adds to 1, or is NaN: nothing changes
+  std::vector<std::string> left_out;  ///< choices that were not varied, and why: one sentence each
+
+  bool empty() const noexcept { return choices.empty() && left_out.empty(); }
+};
+
 /// One simulation. `measures` are the row of Table 1. `frame_series` have the times of the trajectory, and
 /// `curves` have their own times.
 struct RunRecord {
@@ -72,7 +88,8 @@ struct RunRecord {
   std::string trunk_pml;               ///< the trunk if it comes from a file; "" for the parametric one
   std::vector<NamedValue> parameters;  ///< resolved, in natural units
   std::vector<NamedValue> measures;    //
-  std::vector<NamedValue> intervals;   ///< of the measures, if the subject of a fit breathes; or empty
+  std::vector<NamedValue> intervals;   ///< of the measures: over draws of a fit, and structural; or empty
+  Structure structure;                 ///< of the structural intervals; or empty
   Trajectory trajectory;               //
   std::vector<double> curve_time_s;    ///< [Tc]
   std::vector<Series> curves;          ///< each [Tc]
@@ -140,7 +157,8 @@ struct FitRecord {
     std::string name, scenario;       ///< a short name; the file
     std::vector<NamedValue> numbers;  ///< measures and a ratio of volumes, with intervals
     std::vector<double> delta_v_m3,
-        own_delta_v_m3;  ///< [D] draws of the parameters; NaN if a simulation fails
+        own_delta_v_m3;   ///< [D] draws of the parameters; NaN if a simulation fails
+    Structure structure;  ///< of the structural intervals; or empty
   };
 
   std::string title, status, message;

@@ -102,12 +102,21 @@ TEST_CASE("A number that one subject lacks is a gap in the table", "[unit]") {
 }
 
 TEST_CASE("A stored fit gives back the row and the JSON of the fit bit for bit", "[unit]") {
-  const StoredFit fit{summary(), {"breath 3 is odd"}, "f1d0"};
+  StoredFit fit{summary(), {"breath 3 is odd"}, "f1d0"};
+  PredictionSummary& p = fit.summary.predictions.front();
+  for (Predicted& n : p.numbers) n.structural_upper95 = (n.structural_lower95 = 0.75 * n.value) + 1.0 / 3.0;
+  p.structure = {{{"wall", "parameters.abdomen_stiffness_factor", "1", "ours", 0.5, 0.8, 1.28},
+                  {"mesh", "geometry.resolution", "1", "the next", 1, 1, 2}},
+                 {"delta_v_ml", "excursion_right_mm", "ratio_percent"},
+                 {unknown, unknown, 1.0 / 3.0, 2.0 / 3.0, 0.0, 1.0},
+                 {"dome_height is left out, because the trunk comes from a file"}};
   const StoredFit back = stored_fit(text_of(fit, {{"schema", "trunk.fit/2"}, {"wall_s", 2.5}}), "A.json");
   CHECK(back.notes == fit.notes);
   CHECK(back.fingerprint == fit.fingerprint);
   CHECK(cohort_csv({cohort_row("A", back.summary)}) == cohort_csv({cohort_row("A", fit.summary)}));
   CHECK(to_json(back.summary) == to_json(fit.summary));
+  CHECK(cohort_csv({cohort_row("A", back.summary)}).find("paralysed_percent_structural_upper95") !=
+        std::string::npos);
 }
 
 TEST_CASE("A stored fit that lacks optional parts gives back that it lacks them", "[unit]") {

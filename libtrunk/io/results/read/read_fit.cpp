@@ -125,8 +125,12 @@ void read_predictions(hid_t root, FitRecord& fit) {
   const hdf5::Group predictions = hdf5::open_group(root, "predictions");
   for (const std::string& name : hdf5::link_names(predictions)) {
     const hdf5::Group one = hdf5::open_group(predictions, name);
-    FitRecord::Prediction p{
-        name, hdf5::read_attribute(one, "scenario"), layout::read_numbers(predictions, name), {}, {}};
+    FitRecord::Prediction p{name,
+                            hdf5::read_attribute(one, "scenario"),
+                            layout::read_numbers(predictions, name),
+                            {},
+                            {},
+                            layout::read_structure(one)};
     if (has_link(one, "delta_v_draws")) {
       p.delta_v_m3 = to_m3(read_doubles(one, "delta_v_draws"));
       p.own_delta_v_m3 = to_m3(read_doubles(one, "own_delta_v_draws"));

@@ -9,6 +9,9 @@ namespace trunk::layout {
 RunRecord read_run_content(hid_t group);
 Provenance read_provenance(hid_t group);
 
+/// Reads what write_structure wrote into the group; an empty one if there is nothing.
+Structure read_structure(hid_t group);
+
 /// Reads only the table of parameters into an empty record.
 void read_estimates(hid_t root, FitRecord& fit);
 

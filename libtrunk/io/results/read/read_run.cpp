@@ -163,6 +163,7 @@ RunRecord layout::read_run_content(hid_t run) {
   record.parameters = read_numbers(run, "parameters");
   record.measures = read_numbers(run, "measures");
   if (has_link(run, "intervals")) record.intervals = read_numbers(run, "intervals");
+  record.structure = read_structure(run);
   record.trajectory = read_trajectory(run);
   read_connectivity(run, record.trajectory);
   read_curves(run, record);

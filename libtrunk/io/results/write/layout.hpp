@@ -35,6 +35,9 @@ void write_vtkhdf(hid_t group, const Trajectory& trajectory);
 void write_provenance(hid_t group, const Provenance& provenance);
 void write_numbers(hid_t group, const std::vector<NamedValue>& numbers);
 
+/// Writes the choices behind structural intervals into a group of their own; nothing if there are none.
+void write_structure(hid_t group, const Structure& structure);
+
 /// Writes the results of a fit with their grades, the gates, and what straight lines give.
 void write_results(hid_t root, const FitRecord& fit);
 

@@ -215,6 +215,7 @@ void write_predictions(hid_t root, const FitRecord& fit) {
     const Group one = create_group(predictions, p.name);
     hdf5::write_attribute(one, "scenario", p.scenario);
     layout::write_numbers(one, p.numbers);
+    layout::write_structure(one, p.structure);
     if (p.delta_v_m3.empty()) continue;
     const Axis draw = write_count_axis(one, {"draw", "1", "draw of the parameters"}, p.delta_v_m3.size());
     write_array(one, {"delta_v_draws", "ml", "tidal volume"}, layout::to_ml(p.delta_v_m3), {draw});

@@ -42,6 +42,7 @@ void layout::write_run_content(hid_t group, const RunRecord& run) {
   write_observables(group, run);
   write_numbers(create_group(group, "measures"), run.measures);
   if (!run.intervals.empty()) write_numbers(create_group(group, "intervals"), run.intervals);
+  write_structure(group, run.structure);
   const Group parameters = create_group(group, "parameters");
   write_text(parameters, {"scenario_toml", "", "the scenario as it was given"}, run.scenario_toml);
   if (!run.trunk_pml.empty())
