@@ -107,10 +107,11 @@ void check_trace(const CheckRequest& request, Findings& findings) {
       findings.json["channels"] = channels_json(segmentation);
     findings.json["breaths_used"] = breath.breaths_used;
     findings.json["tidal_volume_ml"] = ml_per_m3 * breath.tidal_volume_m3;
-    findings.text +=
-        fmt::format("{}: good. {} breaths used, {} rejected, tidal volume {:.0f} ml, {:.2f} s a breath\n",
-                    request.fit.trace, breath.breaths_used, breath.breaths_rejected,
-                    ml_per_m3 * breath.tidal_volume_m3, breath.duration_s);
+    findings.text += fmt::format(
+        "{}: {}. {} breaths used, {} rejected, tidal volume {:.0f} ml, {:.2f} s a breath\n",
+        request.fit.trace,
+        screening.gates.empty() ? "good" : "read, but not to be fitted as it is (see the note)",
+        breath.breaths_used, breath.breaths_rejected, ml_per_m3 * breath.tidal_volume_m3, breath.duration_s);
   });
 }
 

@@ -178,7 +178,11 @@ Exit simulate_command(const Common& common, const SimulateRequest& request) {
   record.structure = s.structure;
   write_run(request.output, record);
 
-  if (subject.own && s.draws == 0)
+  for (const FitRecord::Gate& gate : subject.gates)
+    print_note(
+        fmt::format("note: a gate stopped the fit {}, so this simulation tells nothing of the subject: {}",
+                    request.parameters_from, gate.sentence));
+  if (subject.own && s.draws == 0 && subject.gates.empty())
     print_note(fmt::format(
         "note: {} keeps no draws of its parameters, so no number here has an interval of the fit; "
         "fit the trace again to have them",

@@ -156,7 +156,13 @@ FitOutcome FitJob::carry_out() {
     throw std::runtime_error("no simulation completed (" + e.search.stop_reason + "): nothing written");
   }
   for (const std::string& text : e.notes) note(text);
-  if (each_)
+  const bool gated = !fit_->screening().gates.empty();
+  if (gated && (each_ || !others_.empty()))
+    note(
+        "a gate withholds what a muscle and a recoil explain, so no single breath is fitted and no other "
+        "scenario "
+        "is predicted");
+  if (each_ && !gated)
     outcome.breaths = refit_each_breath(*fit_, e, *each_, [&](std::size_t done) {
       listener_.progress(fmt::format("fitting: {} breaths", done));
     });
@@ -165,11 +171,11 @@ FitOutcome FitJob::carry_out() {
   if (const auto& breath = fit_->measurement().breath)
     outcome.clinic = clinic_numbers(*breath, request_.clinic);
   for (FitResult& r : clinic_results(outcome.clinic)) outcome.results.results.push_back(std::move(r));
-  if (outcome.results.posterior)
+  if (outcome.results.posterior && !gated)
     outcome.draws =
         posterior_draws(*outcome.results.posterior, fit_->space(), static_cast<std::size_t>(request_.draws),
                         fit_->plan().estimation.search.seed);
-  outcome.predictions = predictions(outcome);
+  if (!gated) outcome.predictions = predictions(outcome);
   outcome.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return outcome;
 }

@@ -260,6 +260,10 @@ void try_everything(SweepDesign& design) {
   for (const auto& subject : design.subjects) try {
       Scenario trial;
       const StoredSubject stored = read_stored_subject(subject.path);
+      if (!stored.gates.empty())
+        throw InputError({subject.path.string()},
+                         fmt::format("a gate stopped this fit: {}", stored.gates.front().sentence),
+                         "fits of breaths that a muscle drives", "leave this subject out");
       breathe_as(stored, trial);
       design.draws = std::max(design.draws, stored.draws.size());
     } catch (const InputError& error) {

@@ -29,13 +29,14 @@ std::string estimate_line(const Estimate& p, const Profile* profile) {
   return text + " " + (p.unit == "1" ? "" : p.unit) + (p.at_bound ? "  AT BOUND" : "") + "\n";
 }
 
-std::string estimates_table(const Estimation& e) {
+std::string estimates_table(const Estimation& e, bool withheld) {
   if (!e.uncertainty) return "";
   std::string text = fmt::format("  {:<26} {:>10}  {:>10}  {:>20}  {:>20}", "parameter", "estimate",
                                  "std error", "95 % interval", "(if independent)");
-  text += e.profiles.empty() ? "\n" : fmt::format("  {:>20}\n", "(by profile)");
+  const bool profiled = !e.profiles.empty() && !withheld;
+  text += !profiled ? "\n" : fmt::format("  {:>20}\n", "(by profile)");
   for (std::size_t i = 0; i < e.uncertainty->parameters.size(); ++i)
-    text += estimate_line(e.uncertainty->parameters[i], e.profiles.empty() ? nullptr : &e.profiles[i]);
+    text += estimate_line(e.uncertainty->parameters[i], profiled ? &e.profiles[i] : nullptr);
   if (!e.uncertainty->ratio.name.empty()) text += estimate_line(e.uncertainty->ratio, nullptr);
   return text;
 }
@@ -55,7 +56,8 @@ std::string origin_of(const SubjectFit& fit) {
 /// Returns parameters, activation, joint region, bootstrap and search.
 std::string details(const SubjectFit& fit, const FitOutcome& outcome) {
   const Estimation& e = outcome.estimation;
-  std::string text = estimates_table(e);
+  const bool withheld = !outcome.results.gates.empty();
+  std::string text = estimates_table(e, withheld);
   text += fmt::format(
       "  residual {:.2f} % of tidal volume (one-compartment model: {:.2f} %), tidal volume {:+.1f} ml, peak "
       "{:+.3f} s\n",
@@ -65,7 +67,6 @@ std::string details(const SubjectFit& fit, const FitOutcome& outcome) {
   text += fmt::format(
       "  activation: onset {:.2f} s, rise {:.2f} s, fast fall {:.2f} s to {:.2g}, slow fall {:.2f} s ({})\n",
       a.onset_s, a.rise_s, a.fast_fall_s, a.fast_fall_level, a.slow_fall_s, origin_of(fit));
-  const bool withheld = !outcome.results.gates.empty();
   if (e.surface && !withheld)
     text += fmt::format("  joint 95 % region: {} {:.4g} to {:.4g}, {} {:.4g} to {:.4g}{}\n",
                         e.surface->names[0], e.surface->region95[0].lower, e.surface->region95[0].upper,

@@ -74,7 +74,7 @@ struct Structure {
   };
   std::vector<Choice> choices;        ///< [C]
   std::vector<std::string> measures;  ///< [M] numbers that have a structural interval
-  std::vector<double> shares;  ///< [M*C] of the variance; a row adds to 1, or is NaN: nothing changes
+  std::vector<double> shares;         ///< [M*C] of the variance; a row adds to 1, or is NaN: nothing changes
   std::vector<std::string> left_out;  ///< choices that were not varied, and why: one sentence each
 
   bool empty() const noexcept { return choices.empty() && left_out.empty(); }
