@@ -21,6 +21,11 @@ struct TrunkAsCompartment {
   // With a lung, tissue and lung act together (see Recoil); 0 without one.
   double elastance = 0.0;        // 1/m4, of the tissue, per k_elasticity
   double tube_resistance = 0.0;  // Pa s/m3
+  // What is measured beside the volume, as the trunk has it over a breath (see calibrate). They are 0 in a
+  // fit of the volume alone.
+  double abdominal = 0.0;       // abdominal elastance, Pa/m3, per k_elasticity
+  double abdominal_flow = 0.0;  // abdominal resistance, Pa s/m3, per damping
+  double right_descent = 0.0;   // of the dome, m/m3
 
   double time_constant_s(const Parameters<double>& p) const { return with_lung_s(recoil, p); }
   /// Between the two time factors of a trunk, over that with the timing held; and the deviation of this.
@@ -60,6 +65,15 @@ struct TrunkAsCompartment {
   }
 };
 
+/// Returns what the compartment says of a breath at the measured times.
+SeenBreath seen(const TrunkAsCompartment& trunk, const Candidate& candidate, const TimeGrid& grid,
+                const MeasuredCurve& measured);
+
+/// Lets the compartment have the pressure and the dome of a simulated breath: least squares over the curves,
+/// on the volume and the flow of the same breath. => abdominal, abdominal_flow, right_descent
+void calibrate(const Candidate& candidate, const BreathCurves& curves, const TimeGrid& grid,
+               TrunkAsCompartment& trunk);
+
 /// Returns the compartment of a trunk that springs back like this. Some trunks have no recoil time: of one
 /// with a paralysed side the domes sway for longer than the volume lasts, and one that is hardly damped
 /// swings. They get the usual one, and the fit corrects it.
@@ -73,8 +87,8 @@ class CompartmentModel final : public VolumeModel {
   CompartmentModel(const TrunkAsCompartment& trunk, const TimeGrid& grid, const MeasuredCurve& measured)
       : trunk_(trunk), grid_(grid), curve_(measured) {}
 
-  /// Makes the model exact at a candidate, at which the trunk has these volumes, [samples] m3.
-  void correct_at(const Candidate& candidate, const Eigen::VectorXd& volumes);
+  /// Makes the model exact at a candidate, at which the trunk has these values.
+  void correct_at(const Candidate& candidate, const Eigen::VectorXd& values);
 
   std::vector<LedgerEntry> at(const std::vector<Candidate>& candidates) override;
   std::optional<LedgerEntry> slopes(const Candidate&, const std::vector<Candidate>&) override {
@@ -83,12 +97,12 @@ class CompartmentModel final : public VolumeModel {
   bool is_simulation() const noexcept override { return false; }
 
  private:
-  std::vector<double> plain(const Candidate& candidate) const;
+  Eigen::VectorXd plain(const Candidate& candidate) const;
 
   const TrunkAsCompartment& trunk_;
   const TimeGrid& grid_;
   const MeasuredCurve& curve_;
-  std::vector<double> missed_;  // [samples] m3; empty: nothing
+  Eigen::VectorXd missed_;  // [values]; empty: nothing
 };
 
 }  // namespace trunk

@@ -27,9 +27,9 @@ double spread_of(const FreeParameter& p) {
 void meet_tidal_volume(Objective& compartment, Eigen::VectorXd& x) {
   const auto muscle = compartment.space().find("k_muscle");
   const auto curve = compartment.model(x);
-  if (!muscle || !curve || !(curve->maxCoeff() > 0.0)) return;
-  x[static_cast<Eigen::Index>(*muscle)] +=
-      std::log(compartment.measured_curve().tidal_volume() / curve->maxCoeff());
+  const double highest = curve ? curve->head(compartment.blocks().front().count).maxCoeff() : 0.0;
+  if (!muscle || !(highest > 0.0)) return;
+  x[static_cast<Eigen::Index>(*muscle)] += std::log(compartment.measured_curve().tidal_volume() / highest);
   x = compartment.problem().inside(x);
 }
 

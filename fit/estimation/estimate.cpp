@@ -82,7 +82,8 @@ Estimation estimate(const FitProblem& p, const EstimationOptions& options, Ledge
   if (const auto model = trunk.model(e.search.best)) {
     e.best = p.space.decode(e.search.best);
     e.model = *model;
-    e.quality = quality_of(p.measured, e.model, p.space.size(), p.grid, e.best.activation);
+    e.quality = quality_of(p.measured, e.model.head(trunk.blocks().front().count), p.space.size(), p.grid,
+                           e.best.activation);
     if (one_number)
       e.uncertainty = without_uncertainty(trunk, e.search.best);
     else if (e.search.converged)

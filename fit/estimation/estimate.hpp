@@ -43,7 +43,7 @@ struct Estimation {
   std::optional<Bootstrap> bootstrap;
   std::vector<std::string> notes;  // what was left out, and why
   Candidate best;
-  Eigen::VectorXd model;  // at the measured samples, m3; empty if the best simulation failed
+  Eigen::VectorXd model;  // [values] the volume, then what is beside it; empty if the best simulation failed
   Quality quality;
   std::vector<Evaluation> evaluations;
   int failures = 0;

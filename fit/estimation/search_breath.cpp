@@ -191,8 +191,8 @@ Eigen::VectorXd start_at_tidal_volume(Objective& objective, const Eigen::VectorX
   Eigen::VectorXd x = start;
   for (int steps = 0; steps < 8; ++steps) {
     const auto curve = objective.model(x);
-    const double model =
-        curve ? curve->maxCoeff() : 4.0 * measured;  // it failed, so the muscle is far too strong
+    const double model = curve ? curve->head(objective.blocks().front().count).maxCoeff()
+                               : 4.0 * measured;  // it failed, so the muscle is far too strong
     if (std::abs(model / measured - 1.0) < 0.02) return x;
     // The volume is about proportional to the ratio.
     x[ratio] = std::clamp(x[ratio] + std::log(measured / std::max(model, 0.02 * measured)), lowest, highest);

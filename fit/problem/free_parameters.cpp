@@ -90,7 +90,11 @@ std::vector<std::string> parameter_names(const std::vector<std::string>& given) 
 }
 
 double value_of(const FreeParameter& parameter, const Candidate& candidate) {
-  return parameter.field(const_cast<Candidate&>(candidate));  // the accessor serves reading and writing
+  return parameter.field(const_cast<Candidate&>(candidate)) / parameter.to_si;  // the field is only read
+}
+
+void set_value(const FreeParameter& parameter, double value, Candidate& candidate) {
+  parameter.field(candidate) = value * parameter.to_si;
 }
 
 }  // namespace trunk

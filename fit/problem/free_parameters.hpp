@@ -27,6 +27,7 @@ struct FreeParameter {
   Scale scale = Scale::factor;
   /// Standard deviation of the prior about the start, of the natural logarithm or of the amount; 0: no prior.
   double prior = 0.0;
+  double to_si = 1.0;  // the field, in SI units, over the natural unit
 };
 
 /// Returns all parameters that can be fitted, in the order of results tables.
@@ -42,5 +43,8 @@ std::vector<std::string> parameter_names(const std::vector<std::string>& given);
 
 /// Returns the value of the parameter in the candidate, in its natural unit.
 double value_of(const FreeParameter& parameter, const Candidate& candidate);
+
+/// Sets the parameter to a value in its natural unit. => candidate
+void set_value(const FreeParameter& parameter, double value, Candidate& candidate);
 
 }  // namespace trunk

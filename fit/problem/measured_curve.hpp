@@ -3,27 +3,77 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "dynamics/simulate.hpp"
+#include "dynamics/volume_curve.hpp"
+#include "traces/channel.hpp"
+
 namespace trunk {
 
-/// What the model is fitted to: a volume curve at increasing times from 0, or only its highest value, at
-/// whatever time (one entry of delta_v and no times).
+/// What was measured beside the volume, as changes from end-expiration.
+struct MeasuredObservable {
+  ChannelKind kind = ChannelKind::gastric;
+  /// [samples] Pa, m or the unit of an EMG, at the times of the volume; or the one excursion of the right
+  /// dome (which ultrasound sees through the liver) at the highest volume, m.
+  std::vector<double> value;
+  double deviation = 0.0;  // of an independent sample at first; see Objective::reweigh
+
+  bool is_number() const noexcept { return value.size() == 1; }
+};
+
+/// What the model is fitted to: a volume curve at increasing times from 0, and what was measured beside it;
+/// or only the highest volume, at whatever time (one entry of delta_v and no times).
 struct MeasuredCurve {
   std::vector<double> time_s;    // [samples], or empty
   std::vector<double> delta_v;   // [samples] m3, or the tidal volume
   std::vector<double> sigma_m3;  // [samples] deviation of independent samples; empty: the same for all
+  std::vector<MeasuredObservable> beside = {};
 
   bool is_tidal_volume() const noexcept { return time_s.empty() && delta_v.size() == 1; }
   double tidal_volume() const;  // m3; the highest value
 };
+
+/// The part of a list of all measured values that belongs to one observable.
+struct Block {
+  Eigen::Index first, count;
+};
+
+/// Returns the blocks of all measured values, one after the other: the volume, then what is beside it.
+std::vector<Block> blocks_of(const MeasuredCurve& measured);
+
+/// Returns all measured values, one block after the other.
+Eigen::VectorXd values_of(const MeasuredCurve& measured);
+
+/// Returns what an observable may have beside what the model says, [values, courses]: an offset for any
+/// curve. Beside it, a slow drift for what is measured in the gullet (a straight line). An EMG has a gain and
+/// a delay too: it is the EMG itself and its slope that the model's activation may consist of, so that the
+/// measured value is 0 there.
+Eigen::MatrixXd nuisance_of(const MeasuredCurve& measured, std::size_t block);
+
+/// A model's breath at the measured times, [samples] each; or the derivatives of it.
+struct SeenBreath {
+  Eigen::VectorXd delta_v, abdominal_Pa, pleural_Pa, right_dome_m, activation;
+};
+
+/// Returns simulated curves at the measured times. The activation is left empty.
+SeenBreath seen(const MeasuredCurve& measured, const BreathCurves& curves, double dt_s);
+
+/// Returns what is measured of a model's breath, one block after the other. `derivative` is the breath
+/// itself, or a derivative of it.
+Eigen::VectorXd as_measured(const MeasuredCurve& measured, const SeenBreath& breath,
+                            const SeenBreath& derivative);
+
+/// Returns the activation at the measured times.
+Eigen::VectorXd activation_at(const MeasuredCurve& measured, const BreathActivation<double>& activation,
+                              const TimeGrid& grid);
 
 /// The loss of a residual. Robust losses grow more slowly than the square beyond a few deviations: Huber's
 /// linearly beyond 1.345 (Huber 1964), Student's logarithmically, with 4 degrees of freedom (Lange et al.
 /// 1989).
 enum class Loss { squares, huber, student };
 
-/// Returns the deviation by which each residual is divided, [samples] m3: the curve's own sigma if it has
-/// one. Otherwise the whole curve counts as 20 independent measurements with a deviation of 1 % of the tidal
-/// volume (our choice; it matters only beside priors).
+/// Returns the deviation by which each residual is divided, [values]. That of the volume is the curve's own
+/// sigma if it has one. Otherwise the whole curve counts as 20 independent measurements with a deviation of 1
+/// % of the tidal volume (our choice; it matters only beside priors).
 Eigen::VectorXd sample_deviation(const MeasuredCurve& measured);
 
 /// Returns residuals whose squares are the loss of `residuals` [samples], which are in deviations. `scale` is

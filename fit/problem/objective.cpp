@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -10,6 +11,14 @@
 #include "problem/trunk_model.hpp"
 
 namespace trunk {
+namespace {
+
+Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& columns) {
+  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(columns);
+  return qr.householderQ() * Eigen::MatrixXd::Identity(columns.rows(), qr.rank());
+}
+
+}  // namespace
 
 Objective::Objective(VolumeModel& model, const TimeGrid& grid, const SearchSpace& space,
                      const MeasuredCurve& measured, Knowledge knowledge)
@@ -22,9 +31,18 @@ Objective::Objective(VolumeModel& model, const TimeGrid& grid, const SearchSpace
                      fmt::format("the measured curve lasts {:.3f} s, the simulation {:.3f} s",
                                  measured.time_s.back(), grid.duration_s),
                      "a simulation as long as the curve");
-  measured_ =
-      Eigen::VectorXd::Map(measured.delta_v.data(), static_cast<Eigen::Index>(measured.delta_v.size()));
+  blocks_ = blocks_of(measured);
+  measured_ = values_of(measured);
   deviation_ = sample_deviation(measured);
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {  // a deviation is the same for all of such a block
+    const Eigen::MatrixXd courses = nuisance_of(measured, b);
+    nuisance_.push_back(courses.cols() > 0 ? orthonormal(courses) : courses);
+  }
+}
+
+void Objective::reweigh(const std::vector<double>& deviations) {
+  for (std::size_t b = 1; b < blocks_.size(); ++b)
+    deviation_.segment(blocks_[b].first, blocks_[b].count).setConstant(deviations[b - 1]);
 }
 
 LeastSquares Objective::problem() {
@@ -37,23 +55,37 @@ void Objective::use_loss(Loss loss, double scale) {
   loss_scale_ = scale;
 }
 
-Eigen::MatrixXd Objective::whitened(const Eigen::MatrixXd& volumes_m3) const {
-  Eigen::MatrixXd rows = deviation_.cwiseInverse().asDiagonal() * volumes_m3;
+Eigen::MatrixXd Objective::whitened(const Eigen::MatrixXd& values) const {
+  Eigen::MatrixXd rows = deviation_.cwiseInverse().asDiagonal() * values;
+  for (std::size_t b = 1; b < blocks_.size(); ++b) {
+    if (nuisance_[b].cols() == 0) continue;
+    auto part = rows.middleRows(blocks_[b].first, blocks_[b].count);
+    part -= nuisance_[b] * Eigen::MatrixXd(nuisance_[b].transpose() * part);
+  }
   if (rho_ == 0.0) return rows;
-  const Eigen::Index later = rows.rows() - 1;
+  const Eigen::Index later = blocks_.front().count - 1;
   const Eigen::MatrixXd fresh =
-      (rows.bottomRows(later) - rho_ * rows.topRows(later)) / std::sqrt(1.0 - rho_ * rho_);
-  rows.bottomRows(later) = fresh;
+      (rows.middleRows(1, later) - rho_ * rows.topRows(later)) / std::sqrt(1.0 - rho_ * rho_);
+  rows.middleRows(1, later) = fresh;
   return rows;
 }
 
 /// Returns all residuals that do not come from the curve.
 Eigen::VectorXd Objective::known(const Eigen::VectorXd& x) const {
   Eigen::VectorXd priors = space_.prior_residuals(x);
-  if (!knowledge_) return priors;
-  Eigen::VectorXd all(priors.size() + 1);
-  all << priors, knowledge_(space_.decode(x));
+  if (knowledge_.empty()) return priors;
+  const Candidate candidate = space_.decode(x);
+  Eigen::VectorXd all(priors.size() + static_cast<Eigen::Index>(knowledge_.size()));
+  all.head(priors.size()) = priors;
+  for (std::size_t k = 0; k < knowledge_.size(); ++k)
+    all[priors.size() + static_cast<Eigen::Index>(k)] = knowledge_[k].residual(candidate);
   return all;
+}
+
+std::vector<std::string> Objective::known_names() const {
+  std::vector<std::string> names = space_.prior_names();
+  for (const KnownFact& fact : knowledge_) names.push_back(fact.name);
+  return names;
 }
 
 Outcome Objective::judged(const Eigen::VectorXd& x, const LedgerEntry& entry) const {

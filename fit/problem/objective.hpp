@@ -20,14 +20,19 @@ struct Evaluation {
   double wall_s = 0.0;
 };
 
-/// What is known of a candidate beside its volume curve: a residual of deviation 1.
-using Knowledge = std::function<double(const Candidate&)>;
+/// What is known of a candidate beside what was measured: residuals of deviation 1, and what each rests on.
+struct KnownFact {
+  std::string name;
+  std::function<double(const Candidate&)> residual;
+};
+using Knowledge = std::vector<KnownFact>;
 
 /// The log-posterior of a fit, as a least-squares problem in the coordinates of a search space: -2 log of it
-/// is the sum of squares, up to a constant. Its residuals are the distance between the model's lung volume
-/// and the measured one, in deviations (paper, "Estimation of the model parameters", steps 2 and 3), then the
-/// priors of the space, then what else is known. The search, the intervals, the profiles, the joint region
-/// and the predictions all use it.
+/// is the sum of squares, up to a constant. Its residuals are the distance between what the model says and
+/// what was measured, in deviations (for the volume: paper, "Estimation of the model parameters", steps 2 and
+/// 3), then the priors of the space, then what else is known. What an observable may have beside the model
+/// (see nuisance_of) is taken out of its residuals: it has the values that fit best, everywhere. The search,
+/// the intervals, the profiles, the joint region and the predictions all use it.
 class Objective {
  public:
   /// All arguments must outlive the objective. Throws InputError if the curve is empty or longer than the
@@ -43,23 +48,32 @@ class Objective {
   /// model has them, otherwise central differences. None if a simulation fails.
   Slopes slopes(const Eigen::VectorXd& x, const std::vector<Eigen::Index>& some);
 
-  /// Returns the model at the measured samples, m3; none if the simulation fails.
+  /// Returns the model's values, one block after the other; none if the simulation fails.
   std::optional<Eigen::VectorXd> model(const Eigen::VectorXd& x);
 
-  /// Takes neighbouring samples as correlated from now on, AR(1) with this coefficient: the residuals of the
-  /// curve become (r_i - rho r_(i-1)) / sqrt(1 - rho^2), which are independent.
+  /// Gives each block but the volume a deviation, [blocks - 1], from now on.
+  void reweigh(const std::vector<double>& deviations);
+
+  /// Takes neighbouring samples of the volume as correlated from now on, AR(1) with this coefficient: the
+  /// residuals of the curve become (r_i - rho r_(i-1)) / sqrt(1 - rho^2), which are independent.
   void use_correlation(double rho) noexcept { rho_ = rho; }
 
-  /// Returns columns of values at the samples, m3, as residuals are: in deviations and independent. [samples,
-  /// n]
-  Eigen::MatrixXd whitened(const Eigen::MatrixXd& volumes_m3) const;
+  /// Returns columns of values as residuals are: in deviations, independent, and without what an observable
+  /// may have beside the model. [values, n]
+  Eigen::MatrixXd whitened(const Eigen::MatrixXd& values) const;
 
   /// Applies this loss from now on; see robust_residuals.
   void use_loss(Loss loss, double scale);
 
-  Eigen::Index samples() const noexcept { return measured_.size(); }
-  const Eigen::VectorXd& measured() const noexcept { return measured_; }    // m3
-  const Eigen::VectorXd& deviation() const noexcept { return deviation_; }  // m3
+  /// Returns the names of the residuals that do not come from what was measured, in their order.
+  std::vector<std::string> known_names() const;
+
+  Eigen::Index samples() const noexcept { return measured_.size(); }        // of all blocks
+  const std::vector<Block>& blocks() const noexcept { return blocks_; }     // the volume comes first
+  const Eigen::VectorXd& measured() const noexcept { return measured_; }    // [values] m3, then as channels
+  const Eigen::VectorXd& deviation() const noexcept { return deviation_; }  // [values]
+  /// Returns what a block may have beside the model, as orthonormal columns of residuals, [values, n].
+  const Eigen::MatrixXd& nuisance(std::size_t block) const { return nuisance_[block]; }
   const MeasuredCurve& measured_curve() const noexcept { return curve_; }
   const SearchSpace& space() const noexcept { return space_; }
 
@@ -77,7 +91,9 @@ class Objective {
   const SearchSpace& space_;
   const MeasuredCurve& curve_;
   Knowledge knowledge_;
+  std::vector<Block> blocks_;
   Eigen::VectorXd measured_, deviation_;
+  std::vector<Eigen::MatrixXd> nuisance_;  // [blocks]
   Loss loss_ = Loss::squares;
   double loss_scale_ = 1.0, rho_ = 0.0;
   std::vector<Evaluation> evaluations_;

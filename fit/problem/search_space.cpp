@@ -125,8 +125,8 @@ Candidate SearchSpace::decode(const Eigen::VectorXd& x) const {
   for (std::size_t i = 0; i < size(); ++i) {  // k_elasticity is set before k_muscle uses it
     const double at = x[static_cast<Eigen::Index>(i)];
     const double scale = is_ratio(i) ? candidate.parameters.elasticity : 1.0;
-    parameters_[i]->field(candidate) =
-        parameters_[i]->scale == Scale::amount ? amount_of_one * at : scale * std::exp(at);
+    set_value(*parameters_[i],
+              parameters_[i]->scale == Scale::amount ? amount_of_one * at : scale * std::exp(at), candidate);
   }
   return candidate;
 }
@@ -167,7 +167,7 @@ std::vector<Candidate> SearchSpace::directions(const Eigen::VectorXd& x) const {
     const FreeParameter& p = parameter(k);
     const double unit = p.scale == Scale::amount ? 1.0 : value_of(p, at);
     for (std::size_t i = 0; i < size(); ++i)
-      p.field(all[i]) = unit * map(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(i));
+      set_value(p, unit * map(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(i)), all[i]);
   }
   return all;
 }
@@ -187,6 +187,13 @@ Eigen::VectorXd SearchSpace::prior_residuals(const Eigen::VectorXd& x) const {
     for (std::size_t k = 0; k < now.size(); ++k) rows.push_back((now[k] - before[k]) / bend_deviation);
   }
   return Eigen::VectorXd::Map(rows.data(), static_cast<Eigen::Index>(rows.size()));
+}
+
+std::vector<std::string> SearchSpace::prior_names() const {
+  std::vector<std::string> names;
+  for (const PriorRow& prior : priors_) names.emplace_back(parameter(prior.i).name);
+  if (shaped_) names.resize(names.size() + bends(start_.activation.shape).size(), "shape");
+  return names;
 }
 
 }  // namespace trunk

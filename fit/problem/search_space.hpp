@@ -56,6 +56,9 @@ class SearchSpace {
   /// start with a deviation of 0.3; our choice).
   Eigen::VectorXd prior_residuals(const Eigen::VectorXd& x) const;
 
+  /// Returns the names of these residuals: that of the parameter, or "shape" for a bend.
+  std::vector<std::string> prior_names() const;
+
  private:
   double coordinate(std::size_t i, double value, double elasticity) const;
   struct PriorRow {

@@ -36,7 +36,37 @@ std::string ledger_key(const Candidate& c) {
 
 TrunkModel::TrunkModel(const Trunk& trunk, const TimeGrid& grid, const MeasuredCurve& measured,
                        Ledger& ledger, const Execution& execution)
-    : trunk_(trunk), grid_(grid), curve_(measured), ledger_(ledger), execution_(execution) {}
+    : trunk_(trunk),
+      grid_(grid),
+      curve_(measured),
+      values_(static_cast<std::size_t>(values_of(measured).size())),
+      ledger_(ledger),
+      execution_(execution) {}
+
+/// Returns what is measured of a candidate's curves.
+Eigen::VectorXd TrunkModel::observed(const Candidate& candidate, const BreathCurves& curves,
+                                     double dt_s) const {
+  if (curve_.is_tidal_volume()) return as_measured(curve_, curves.delta_v, dt_s);
+  SeenBreath breath = seen(curve_, curves, dt_s);
+  breath.activation = activation_at(curve_, candidate.activation, grid_);
+  return as_measured(curve_, breath, breath);
+}
+
+/// Returns the derivative of what is measured along a direction, along which the curves have derivatives.
+Eigen::VectorXd TrunkModel::observed(const Candidate& candidate, const BreathCurves& curves,
+                                     const Candidate& direction, const BreathCurves& derivatives,
+                                     double dt_s) const {
+  if (curve_.is_tidal_volume()) return as_measured(curve_, curves.delta_v, derivatives.delta_v, dt_s);
+  constexpr double step = 1e-6;  // the activation is straight between its corners
+  const auto aside = [&](double by) {
+    Candidate moved = candidate, along = direction;
+    for (std::size_t n = 0; n < numbers(moved).size(); ++n) *numbers(moved)[n] += by * *numbers(along)[n];
+    return activation_at(curve_, moved.activation, grid_);
+  };
+  SeenBreath change = seen(curve_, derivatives, dt_s);
+  change.activation = (aside(step) - aside(-step)) / (2.0 * step);
+  return as_measured(curve_, seen(curve_, curves, dt_s), change);
+}
 
 std::vector<LedgerEntry> TrunkModel::simulate(const std::vector<Candidate>& candidates) const {
   const auto start = std::chrono::steady_clock::now();
@@ -46,7 +76,7 @@ std::vector<LedgerEntry> TrunkModel::simulate(const std::vector<Candidate>& cand
     if (again) curve = simulate_volumes(trunk_, {&candidates[entries.size()], 1}, *again).front();
     entries.push_back({static_cast<std::int32_t>(curve.ending.status), curve.ending.time_s, 0.0, {}});
     if (!curve.ending.completed()) continue;
-    const Eigen::VectorXd model = as_measured(curve_, curve.delta_v, again.value_or(grid_).dt_s);
+    const Eigen::VectorXd model = observed(candidates[entries.size() - 1], curve, again.value_or(grid_).dt_s);
     entries.back().values.assign(model.data(), model.data() + model.size());
   }
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
@@ -66,9 +96,9 @@ LedgerEntry TrunkModel::simulate_slopes(const Candidate& candidate,
   const VolumeCurve& curve = found.curve;
   LedgerEntry entry{static_cast<std::int32_t>(curve.ending.status), curve.ending.time_s, 0.0, {}};
   if (curve.ending.completed())
-    for (const std::vector<double>& derivative : found.along) {
-      const Eigen::VectorXd seen = as_measured(curve_, curve.delta_v, derivative, grid.dt_s);
-      entry.values.insert(entry.values.end(), seen.data(), seen.data() + seen.size());
+    for (std::size_t i = 0; i < directions.size(); ++i) {
+      const Eigen::VectorXd along = observed(candidate, curve, directions[i], found.along[i], grid.dt_s);
+      entry.values.insert(entry.values.end(), along.data(), along.data() + along.size());
     }
   entry.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return entry;
@@ -89,7 +119,7 @@ void TrunkModel::simulate_missing(const std::vector<Candidate>& candidates,
                                   const std::vector<std::string>& keys) {
   std::vector<std::size_t> missing;
   for (std::size_t i = 0; i < candidates.size(); ++i)
-    if (!usable(ledger_.find(keys[i]), curve_.delta_v.size()) &&
+    if (!usable(ledger_.find(keys[i]), values_) &&
         std::find(keys.begin(), keys.begin() + static_cast<std::ptrdiff_t>(i), keys[i]) ==
             keys.begin() + static_cast<std::ptrdiff_t>(i))
       missing.push_back(i);
@@ -137,7 +167,7 @@ std::optional<LedgerEntry> TrunkModel::slopes(const Candidate& candidate,
                                               const std::vector<Candidate>& directions) {
   std::string key = ledger_key(candidate) + "slopes";
   for (const Candidate& d : directions) key += ledger_key(d);
-  if (!usable(ledger_.find(key), curve_.delta_v.size() * directions.size())) {
+  if (!usable(ledger_.find(key), values_ * directions.size())) {
     ledger_.add(key, simulate_slopes(candidate, directions));
     count(1);
   }

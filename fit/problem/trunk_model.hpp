@@ -15,7 +15,7 @@ struct Execution {
   std::function<void(std::size_t)> progress;  // called with the number of simulations so far
 };
 
-/// The trunk as a model of the measured volume. Several candidates are simulated side by side. A simulation
+/// The trunk as a model of what was measured. Several candidates are simulated side by side. A simulation
 /// that is in the ledger is not run again.
 class TrunkModel final : public VolumeModel {
  public:
@@ -37,11 +37,15 @@ class TrunkModel final : public VolumeModel {
   void simulate_missing(const std::vector<Candidate>& candidates, const std::vector<std::string>& keys);
   std::vector<LedgerEntry> simulate(const std::vector<Candidate>& candidates) const;
   LedgerEntry simulate_slopes(const Candidate& candidate, const std::vector<Candidate>& directions) const;
+  Eigen::VectorXd observed(const Candidate& candidate, const BreathCurves& curves, double dt_s) const;
+  Eigen::VectorXd observed(const Candidate& candidate, const BreathCurves& curves, const Candidate& direction,
+                           const BreathCurves& derivatives, double dt_s) const;
   void count(std::size_t simulations);
 
   const Trunk& trunk_;
   const TimeGrid& grid_;
   const MeasuredCurve& curve_;
+  std::size_t values_;  // measured
   Ledger& ledger_;
   Execution execution_;
   std::size_t simulated_ = 0;

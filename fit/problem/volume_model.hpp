@@ -8,8 +8,8 @@
 
 namespace trunk {
 
-/// A model of the lung volume over one breath, seen at the measured samples. There are two: the trunk itself,
-/// and one compartment that stands in for it while a fit looks around.
+/// A model of what is measured of one breath: the lung volume at the samples, then what is beside it. There
+/// are two: the trunk itself, and one compartment that stands in for it while a fit looks around.
 class VolumeModel {
  public:
   virtual ~VolumeModel() = default;

@@ -43,13 +43,13 @@ std::vector<double> natural_values(const SearchSpace& space, const Candidate& c)
 std::vector<FitRecord::Parameter> fitted_parameters(const SearchSpace& space, const Candidate& start,
                                                     const Estimation& e) {
   std::vector<FitRecord::Parameter> result;
-  Candidate initial = start, best = e.best;
+  const Candidate &initial = start, &best = e.best;
   for (const FreeParameter& p : free_parameters()) {
     FitRecord::Parameter r;
     r.name = p.name;
     r.unit = p.unit;
-    r.initial = p.field(initial);
-    r.best = p.field(best);
+    r.initial = value_of(p, initial);
+    r.best = value_of(p, best);
     r.lower = p.lower;
     r.upper = p.upper;
     r.free = false;
@@ -164,7 +164,8 @@ FitRecord fit_record(const ScenarioFile& file, const Trunk& trunk, const SearchS
     fit.sigma_m3 = {};
   }
   fit.result_time_s = fit.measured_time_s;
-  fit.dV_fit_m3.assign(e.model.data(), e.model.data() + e.model.size());
+  const auto samples = static_cast<Eigen::Index>(measured.delta_v.size());  // the volume comes first
+  if (e.model.size() > 0) fit.dV_fit_m3.assign(e.model.data(), e.model.data() + samples);
   for (std::size_t i = 0; i < fit.dV_fit_m3.size(); ++i)
     fit.residual_m3.push_back(fit.dV_fit_m3[i] - measured.delta_v[i]);
   fit.dV_baseline_m3.assign(e.quality.baseline.data(), e.quality.baseline.data() + e.quality.baseline.size());

@@ -144,13 +144,13 @@ std::vector<NamedValue> parameters_of(const Candidate& candidate) {
   Candidate c = candidate;
   std::vector<NamedValue> result;
   for (const FreeParameter& p : free_parameters())
-    result.push_back({std::string(p.name), std::string(p.unit), p.field(c)});
+    result.push_back({std::string(p.name), std::string(p.unit), value_of(p, c)});
   return result;
 }
 
 void adopt_parameters(const std::vector<NamedValue>& parameters, Scenario& scenario) {
   Candidate c{scenario.parameters, scenario.activation};
-  for (const NamedValue& v : parameters) free_parameter(v.name).field(c) = v.value;
+  for (const NamedValue& v : parameters) set_value(free_parameter(v.name), v.value, c);
   scenario.parameters = c.parameters;
   scenario.activation = c.activation;
   const auto& a = c.activation;

@@ -15,7 +15,7 @@ std::vector<Candidate> candidates_of(const FitRecord::Draws& draws, const Candid
   for (std::size_t first = 0; first < draws.values.size(); first += width) {
     all.push_back(fitted);
     for (std::size_t k = 0; k < width; ++k)
-      free_parameter(draws.names[k]).field(all.back()) = draws.values[first + k];
+      set_value(free_parameter(draws.names[k]), draws.values[first + k], all.back());
   }
   return all;
 }

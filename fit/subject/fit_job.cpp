@@ -40,8 +40,8 @@ MeasuredBreath chosen_breath(const Segmentation& s, const std::string& which,
 Scenario with_rounded(Scenario scenario, const SearchSpace& space) {
   Candidate c{scenario.parameters, scenario.activation};
   for (std::size_t i = 0; i < space.size(); ++i) {
-    double& value = space.parameter(i).field(c);
-    value = std::stod(fmt::format("{:.6g}", value));
+    const FreeParameter& p = space.parameter(i);
+    set_value(p, std::stod(fmt::format("{:.6g}", value_of(p, c))), c);
   }
   scenario.parameters = c.parameters;
   scenario.activation = c.activation;

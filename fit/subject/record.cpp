@@ -43,9 +43,9 @@ void add_results(const FitResults& results, FitRecord& record) {
 }
 
 void add_starts(const SubjectFit& fit, FitRecord& record) {
-  const auto values = [&](Candidate c) {
+  const auto values = [&](const Candidate& c) {
     std::vector<double> all;
-    for (std::size_t i = 0; i < fit.space().size(); ++i) all.push_back(fit.space().parameter(i).field(c));
+    for (std::size_t i = 0; i < fit.space().size(); ++i) all.push_back(value_of(fit.space().parameter(i), c));
     return all;
   };
   for (const LocalSearch& s : fit.compartment_searches())

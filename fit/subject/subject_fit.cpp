@@ -60,7 +60,7 @@ bool is_shape(const std::string& name) {
 void hold(const std::vector<FixedParameter>& fixed, ScenarioFile& file) {
   Candidate c{file.scenario.parameters, file.scenario.activation};
   for (const FixedParameter& held : fixed) {
-    held.parameter->field(c) = held.value;
+    set_value(*held.parameter, held.value, c);
     if (held.source) file.inputs.push_back(*held.source);
   }
   file.scenario.parameters = c.parameters;
@@ -80,7 +80,7 @@ SubjectFit::SubjectFit(ScenarioFile file, Measurement measurement, FitPlan plan)
     if (plan_.timing != Timing::scenario)
       scenario.activation = activation_from_landmarks(*measurement_.breath);
   } else {
-    measured_curve_ = {{}, {measurement_.tidal_volume_m3}, {}};
+    measured_curve_ = {{}, {measurement_.tidal_volume_m3}, {}, {}};
     plan_.timing = Timing::scenario;
   }
   hold(draft.fixed, file_);
@@ -141,16 +141,18 @@ void SubjectFit::begin_with_compartment(const Draft& draft) {
   Parameters<double> usual = scenario.parameters;
   usual.elasticity = usual_rate_per_s * usual.damping;
   compartment_ = as_compartment(measure_recoil(trunk_.model, usual), trunk_.model.pleura);
-  CompartmentFit fit{compartment_, scenario.time, measured_curve_, draft.names, draft.beside, plan_.priors};
+  // At first the volume alone is searched: the compartment has no pressures yet.
+  const MeasuredCurve volume{measured_curve_.time_s, measured_curve_.delta_v, measured_curve_.sigma_m3, {}};
+  CompartmentFit fit{compartment_, scenario.time, volume, draft.names, draft.beside, plan_.priors};
   fit.starts = plan_.starts;
   fit.seed = plan_.estimation.search.seed;
   const bool shaped = std::any_of(draft.beside.begin(), draft.beside.end(), is_shape) ||
                       std::any_of(draft.names.begin(), draft.names.end(), is_shape);
   if (shaped && draft.has("k_elasticity")) {
     const ExpiredEnergy energy = expired_energy(*measurement_.breath);
-    knowledge_ = [energy, this](const Candidate& c) {
-      return energy_residual(energy, std::log(compartment_.recoil_time_s(c.parameters))).z;
-    };
+    knowledge_ = {{"energy of expiration", [energy, this](const Candidate& c) {
+                     return energy_residual(energy, std::log(compartment_.recoil_time_s(c.parameters))).z;
+                   }}};
     fit.knowledge = knowledge_;
     fit.recoil_s = usable_recoil_s(recoil_time(*measurement_.breath));
     straight_ = straight_activation(fit, begin, measurement_.breath->each_m3);
@@ -174,11 +176,12 @@ void SubjectFit::begin_with_compartment(const Draft& draft) {
 void SubjectFit::calibrate_compartment(const Draft& draft) {
   Scenario& scenario = file_.scenario;
   Parameters<double>& p = scenario.parameters;
+  const Candidate begin{p, scenario.activation};
   const VolumeCurve curve = simulate_volume(trunk_, p, scenario.activation, scenario.time);
   if (!curve.ending.completed()) return;
+  if (!measured_curve_.beside.empty()) calibrate(begin, curve, scenario.time, compartment_);
   const Eigen::VectorXd seen = sampled(curve.delta_v, scenario.time.dt_s, measured_curve_.time_s);
-  const MeasuredCurve breath{measured_curve_.time_s, {seen.data(), seen.data() + seen.size()}, {}};
-  const Candidate begin{p, scenario.activation};
+  const MeasuredCurve breath{measured_curve_.time_s, {seen.data(), seen.data() + seen.size()}, {}, {}};
   // A timing that is fitted takes up a part of what the compartment misses, so it moves here too.
   CompartmentFit fit{compartment_, scenario.time, breath, {"k_elasticity", "k_muscle"}, draft.timing(), {}};
   fit.starts = 1;
@@ -201,14 +204,14 @@ void SubjectFit::calibrate_compartment(const Draft& draft) {
 FitProblem SubjectFit::problem() const {
   FitProblem problem{trunk_, file_.scenario.time, *space_, measured_curve_, compartment_, begin_, knowledge_};
   problem.correlation = correlation_;
-  if (measurement_.breath) problem.breaths = measurement_.breath->each_m3;
+  if (measurement_.breath) problem.breaths = breaths_of(*measurement_.breath, measured_curve_);
   return problem;
 }
 
 FitResults SubjectFit::results(const Estimation& e) const {
   const FitProblem asked = problem();
   return assess_fit({asked, e, measurement_.breath ? &*measurement_.breath : nullptr, screening_.gates,
-                     screening_.tidal_volume_error, plan_.straight, static_cast<bool>(knowledge_), straight_,
+                     screening_.tidal_volume_error, plan_.straight, !knowledge_.empty(), straight_,
                      searches_});
 }
 
@@ -216,6 +219,8 @@ std::string SubjectFit::problem_text() const {
   std::string text = version_text() + to_toml(file_.scenario);
   if (file_.scenario.mesh) text += trunk_pml(file_.scenario);
   for (const double t : measured_curve_.time_s) text += fmt::format("{},", t);
+  for (const MeasuredObservable& o : measured_curve_.beside)
+    text += fmt::format("beside {} {},", static_cast<int>(o.kind), o.value.size());
   return text;
 }
 

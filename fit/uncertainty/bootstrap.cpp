@@ -12,7 +12,7 @@ int block_length(const Noise& noise, Eigen::Index samples) {
   return static_cast<int>(std::clamp(wanted, 5.0, std::max(5.0, 0.25 * static_cast<double>(samples))));
 }
 
-/// Returns residuals composed of blocks with random beginnings.
+/// Returns residuals composed of pieces with random beginnings.
 Eigen::VectorXd resampled(const Eigen::VectorXd& residuals, Eigen::Index block, std::mt19937_64& engine) {
   const Eigen::Index n = residuals.size();
   Eigen::VectorXd result(n);
@@ -39,17 +39,27 @@ Interval middle95(std::vector<double> values) {
 
 Bootstrap bootstrap(Objective& objective, const LocalFit& fit, int repeats, unsigned seed) {
   const SearchSpace& space = objective.space();
-  const Eigen::Index n = objective.samples();
-  Bootstrap result{repeats, block_length(fit.noise, n), {}, {}};
+  Bootstrap result{repeats, block_length(fit.noise, fit.blocks.front().count), {}, {}};
   // The residuals are smaller than the noise, because the fit followed part of it.
-  const double inflate = fit.noise.white_deviation /
-                         std::max(std::sqrt(fit.residuals.squaredNorm() / static_cast<double>(n)), 1e-300);
-  const Eigen::VectorXd centred = inflate * (fit.residuals.array() - fit.residuals.mean()).matrix();
+  std::vector<Eigen::VectorXd> centred;
+  for (std::size_t b = 0; b < fit.blocks.size(); ++b) {
+    const Eigen::VectorXd own = fit.residuals.segment(fit.blocks[b].first, fit.blocks[b].count);
+    const double inflate = fit.noises[b].white_deviation /
+                           std::max(std::sqrt(own.squaredNorm() / static_cast<double>(own.size())), 1e-300);
+    centred.emplace_back(inflate * (own.array() - own.mean()).matrix());
+  }
   std::mt19937_64 engine(seed);
   std::vector<Eigen::VectorXd> shift;
   // Residuals are model - measured. Data with other noise e have residuals that are smaller by e - (old
   // noise).
-  for (int k = 0; k < repeats; ++k) shift.push_back(fit.residuals + resampled(centred, result.block, engine));
+  for (int k = 0; k < repeats; ++k) {
+    shift.push_back(fit.residuals);
+    for (std::size_t b = 0; b < fit.blocks.size(); ++b)
+      shift.back().segment(fit.blocks[b].first, fit.blocks[b].count) += resampled(
+          centred[b],
+          std::min<Eigen::Index>(block_length(fit.noises[b], fit.blocks[b].count), fit.blocks[b].count),
+          engine);
+  }
   const std::vector<Refit> fits =
       refits(objective.problem(), fit, Eigen::MatrixXd::Identity(fit.x.size(), fit.x.size()),
              std::vector<Eigen::VectorXd>(static_cast<std::size_t>(repeats), fit.x), shift, 3);

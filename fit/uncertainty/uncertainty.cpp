@@ -77,18 +77,27 @@ Eigen::MatrixXd apart(const std::vector<std::vector<double>>& breaths, const Obj
   if (count < 2) return Eigen::MatrixXd(objective.samples(), 0);
   Eigen::MatrixXd all(objective.samples(), count);
   for (Eigen::Index b = 0; b < count; ++b) {
-    const auto& volume = breaths[static_cast<std::size_t>(b)];
-    all.col(b) = Eigen::VectorXd::Map(volume.data(), objective.samples()) - objective.measured();
+    const auto& breath = breaths[static_cast<std::size_t>(b)];
+    all.col(b) = Eigen::VectorXd::Map(breath.data(), objective.samples()) - objective.measured();
   }
   return objective.whitened(all);
 }
 
+/// Returns the covariance of the noise of all values: blocks do not share noise.
+Eigen::MatrixXd blockwise_covariance(const std::vector<Block>& blocks, const std::vector<Noise>& noises) {
+  const Eigen::Index n = blocks.back().first + blocks.back().count;
+  Eigen::MatrixXd all = Eigen::MatrixXd::Zero(n, n);
+  for (std::size_t b = 0; b < blocks.size(); ++b)
+    all.block(blocks[b].first, blocks[b].first, blocks[b].count, blocks[b].count) =
+        noise_covariance(blocks[b].count, noises[b].deviation, noises[b].rho);
+  return all;
+}
+
 /// Returns the covariance of an estimate with these rows: noise, and clusters of breaths.
-Eigen::MatrixXd covariance_of(const Eigen::MatrixXd& rows, const Noise& noise,
+Eigen::MatrixXd covariance_of(const Eigen::MatrixXd& rows, const Eigen::MatrixXd& noise,
                               const Eigen::MatrixXd& breaths) {
   const Eigen::Index n = breaths.rows();
-  Eigen::MatrixXd covariance =
-      least_squares_covariance(rows, noise_covariance(n, noise.deviation, noise.rho));
+  Eigen::MatrixXd covariance = least_squares_covariance(rows, noise);
   if (breaths.cols() < 2) return covariance;
   const Eigen::MatrixXd moved = pseudo_inverse(rows).leftCols(n) * breaths;
   const auto count = static_cast<double>(breaths.cols());
@@ -97,23 +106,42 @@ Eigen::MatrixXd covariance_of(const Eigen::MatrixXd& rows, const Noise& noise,
 
 }  // namespace
 
+Noise noise_of_block(const Objective& objective, std::size_t block, const Eigen::VectorXd& residuals,
+                     const Eigen::MatrixXd& rows) {
+  const Block& b = objective.blocks()[block];
+  if (b.count == 1) return {0.0, 1.0, 1.0, 1.0};
+  const Eigen::MatrixXd own = rows.middleRows(b.first, b.count);
+  const Eigen::MatrixXd& nuisance = objective.nuisance(block);
+  if (block == 0 || nuisance.cols() == 0) return estimate_noise(residuals.segment(b.first, b.count), own);
+  Eigen::MatrixXd followed(b.count, own.cols() + nuisance.cols());
+  followed << own, nuisance;
+  return estimate_noise(residuals.segment(b.first, b.count), followed);
+}
+
 std::optional<LocalFit> local_fit(Objective& objective, const Eigen::VectorXd& x,
-                                  const Eigen::VectorXd& volumes,
+                                  const Eigen::VectorXd& values,
                                   const std::vector<std::vector<double>>& breaths) {
   const auto rows = jacobian(objective.problem(), x);
   if (!rows) return std::nullopt;
   const Eigen::Index n = objective.samples();
   LocalFit fit;
   fit.x = x;
-  fit.residuals = objective.whitened(volumes - objective.measured());
+  fit.residuals = objective.whitened(values - objective.measured());
   fit.rows = *rows;
-  fit.noise = estimate_noise(fit.residuals, fit.rows.topRows(n));
+  fit.blocks = objective.blocks();
+  std::vector<Noise> white;
+  for (std::size_t b = 0; b < fit.blocks.size(); ++b) {
+    fit.noises.push_back(noise_of_block(objective, b, fit.residuals, fit.rows));
+    white.push_back(fit.noises.back());
+    white.back().rho = 0.0;
+    white.back().deviation = white.back().white_deviation;
+  }
+  fit.noise = fit.noises.front();
   fit.breaths = apart(breaths, objective);
   fit.freedom = fit.breaths.cols() > 1 ? static_cast<double>(fit.breaths.cols() - 1) : fit.noise.freedom;
   fit.unit_covariance = least_squares_covariance(fit.rows, Eigen::MatrixXd::Identity(n, n));
-  fit.covariance = covariance_of(fit.rows, fit.noise, fit.breaths);
-  fit.naive_covariance =
-      least_squares_covariance(fit.rows, noise_covariance(n, fit.noise.white_deviation, 0.0));
+  fit.covariance = covariance_of(fit.rows, blockwise_covariance(fit.blocks, fit.noises), fit.breaths);
+  fit.naive_covariance = least_squares_covariance(fit.rows, blockwise_covariance(fit.blocks, white));
   return fit;
 }
 
@@ -124,7 +152,8 @@ Eigen::MatrixXd covariance_with_held(const LocalFit& fit, Eigen::Index held) {
     if (i != held) others.push_back(i);
   Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(n, n);
   if (!others.empty())
-    covariance(others, others) = covariance_of(fit.rows(Eigen::all, others), fit.noise, fit.breaths);
+    covariance(others, others) = covariance_of(fit.rows(Eigen::all, others),
+                                               blockwise_covariance(fit.blocks, fit.noises), fit.breaths);
   return covariance;
 }
 
@@ -136,9 +165,10 @@ Uncertainty assess(const Objective& objective, const LocalFit& fit) {
   const Eigen::MatrixXd naive = to_values * fit.naive_covariance * to_values.transpose();
 
   Uncertainty u;
-  u.residual_autocorrelation = autocorrelation(fit.residuals, 1);
+  const Block& volume = fit.blocks.front();
+  u.residual_autocorrelation = autocorrelation(fit.residuals.head(volume.count), 1);
   u.noise_autocorrelation = fit.noise.rho;
-  u.sigma_m3 = fit.noise.deviation * objective.deviation().mean();
+  u.sigma_m3 = fit.noise.deviation * objective.deviation().head(volume.count).mean();
   u.freedom = fit.freedom;
   u.log_covariance = corrected.topLeftCorner(asked_for, asked_for);
   const Eigen::VectorXd deviation = u.log_covariance.diagonal().cwiseSqrt().cwiseMax(1e-300);

@@ -35,20 +35,26 @@ struct Combination {
 /// The linear model of the fit at its best point, from which all intervals are derived.
 struct LocalFit {
   Eigen::VectorXd x;                // coordinates
-  Eigen::VectorXd residuals;        // [samples] in deviations, whitened
-  Eigen::MatrixXd rows;             // d residuals / d x: [samples + priors, coordinates]
-  Noise noise;                      // in deviations
+  Eigen::VectorXd residuals;        // [values] in deviations, whitened
+  Eigen::MatrixXd rows;             // d residuals / d x: [values + priors, coordinates]
+  Noise noise;                      // of the volume, in deviations
+  std::vector<Block> blocks;        // of the values
+  std::vector<Noise> noises;        // of each block, in deviations; that of the volume comes first
   double freedom = 0.0;             // degrees of freedom of intervals
-  Eigen::MatrixXd breaths;          // [samples, breaths] breath minus mean, in deviations; 0 columns for one
+  Eigen::MatrixXd breaths;          // [values, breaths] breath minus mean, in deviations; 0 columns for one
   Eigen::MatrixXd unit_covariance;  // of x, as if all residuals had deviation 1
   Eigen::MatrixXd covariance;       // of x: AR(1) noise, and how breaths differ
   Eigen::MatrixXd naive_covariance;
 };
 
-/// Returns the linear model at x, at which the model is `volumes` [samples] m3; none if the objective has no
-/// slopes there.
+/// Returns the noise that leaves these residuals of a block, after a fit with these rows. Of one number there
+/// is none to be seen: it has the deviation that it is given.
+Noise noise_of_block(const Objective& objective, std::size_t block, const Eigen::VectorXd& residuals,
+                     const Eigen::MatrixXd& rows);
+
+/// Returns the linear model at x, at which the model is `values`; none if the objective has no slopes there.
 ///
-/// The curve is the mean of `breaths` [breaths][samples] m3, and breaths differ by more than the noise of
+/// What was measured is the mean of `breaths` [breaths][values], and breaths differ by more than the noise of
 /// their mean: each may have its own amplitude and shape. So the covariance is the sum of two. One is that of
 /// correlated noise. The other is that of clusters, sum of d d' / (B (B - 1)), in which d is how far a breath
 /// would move x if it were all that was measured. Intervals then have B - 1 degrees of freedom. (On
@@ -56,7 +62,7 @@ struct LocalFit {
 /// a family, see test_twins.cpp.) With one breath there is
 /// the noise alone.
 std::optional<LocalFit> local_fit(Objective& objective, const Eigen::VectorXd& x,
-                                  const Eigen::VectorXd& volumes,
+                                  const Eigen::VectorXd& values,
                                   const std::vector<std::vector<double>>& breaths = {});
 
 /// Returns the covariance of x if the coordinate `held` is known; its row and column are 0.

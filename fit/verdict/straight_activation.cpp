@@ -25,7 +25,7 @@ StraightActivation straight_activation(CompartmentFit fit, const Candidate& begi
   std::erase_if(fit.beside, is_shape);
   std::erase_if(fit.priors, [](const Prior& p) { return is_shape(p.name); });
   fit.priors = priors_of_straight_lines(fit.priors, fit.beside);
-  fit.knowledge = {};
+  fit.knowledge.clear();
   fit.recoil_s = {};
   fit.correlation =
       noise_correlation(Eigen::VectorXd::Map(fit.measured.delta_v.data(),

@@ -144,7 +144,7 @@ VolumeDerivatives simulate_volume_derivatives(const Trunk& trunk, const Trial<do
                                               const TimeGrid& grid) {
   const Kernel& kernel = kernel_for(directions.size());
   const auto at_once = static_cast<std::size_t>(kernel.tangents);
-  VolumeDerivatives result{{}, std::vector<std::vector<double>>(directions.size()), {}};
+  VolumeDerivatives result{{}, std::vector<BreathCurves>(directions.size()), {}};
   std::size_t first = 0;
   do {
     const std::size_t count = std::min(at_once, directions.size() - first);
@@ -152,8 +152,10 @@ VolumeDerivatives simulate_volume_derivatives(const Trunk& trunk, const Trial<do
                               std::span(result.along).subspan(first, count));
     first += count;
   } while (first < directions.size());
-  for (std::vector<double>& derivative : result.along)
-    result.above_relaxation.push_back(take_first_off(derivative));
+  for (BreathCurves& derivative : result.along) {
+    result.above_relaxation.push_back(take_first_off(derivative.delta_v));
+    for (std::size_t k = 1; k < all_curves.size(); ++k) take_first_off(derivative.*all_curves[k]);
+  }
   return result;
 }
 

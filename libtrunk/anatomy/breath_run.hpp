@@ -51,26 +51,26 @@ BreathRun run_breath(const Trunk& trunk, const Scenario& scenario, int frame_eve
 std::vector<BreathSummary> summarise_breaths(const Trunk& trunk, std::span<const Trial<double>> trials,
                                              const TimeGrid& grid, const WhileSimulated& check = {});
 
-/// Returns the lung volume of one trial, without frames and measures.
+/// Returns the curves of one trial, without frames and measures.
 VolumeCurve simulate_volume(const Trunk& trunk, const Parameters<double>& parameters,
                             const BreathActivation<double>& activation, const TimeGrid& grid);
 
 /// Returns the number of trials that this machine simulates side by side.
 std::size_t batch_lanes() noexcept;
 
-/// Returns the lung volumes of many trials. Several are simulated at a time, in the lanes of a register; each
+/// Returns the curves of many trials. Several are simulated at a time, in the lanes of a register; each
 /// has the bits that it has alone.
 std::vector<VolumeCurve> simulate_volumes(const Trunk& trunk, std::span<const Trial<double>> trials,
                                           const TimeGrid& grid);
 
-/// The volume curve of a trial and its exact derivatives along directions. A direction says by how much each
+/// The curves of a trial and their exact derivatives along directions. A direction says by how much each
 /// number of the trial grows (see no_change).
 struct VolumeDerivatives {
   VolumeCurve curve;
-  std::vector<std::vector<double>> along;  // [directions][steps + 1] m3 per unit of the direction
-  std::vector<double> above_relaxation;    // [directions] the same of the volume at t = 0
+  std::vector<BreathCurves> along;       // [directions] per unit of the direction
+  std::vector<double> above_relaxation;  // [directions] the same of the volume at t = 0
 };
-/// Returns the volume curve and its derivatives.
+/// Returns the curves and their derivatives.
 VolumeDerivatives simulate_volume_derivatives(const Trunk& trunk, const Trial<double>& trial,
                                               std::span<const Trial<double>> directions,
                                               const TimeGrid& grid);

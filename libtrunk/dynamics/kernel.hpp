@@ -11,6 +11,7 @@ namespace trunk {
 
 struct TimeGrid;
 struct VolumeCurve;
+struct BreathCurves;
 struct BreathCourse;
 
 /// A function that a simulation calls every few steps. An exception from it ends the simulation and is passed
@@ -34,10 +35,10 @@ struct Kernel {
                          std::span<BreathCourse>);
   void (*breath_course)(const Model&, std::span<const Trial<double>>, const TimeGrid&, const WhileSimulated&,
                         std::span<BreathCourse>);
-  /// Calculates the curve of one trial, and the derivatives of its volume above rest along 1 to `tangents`
-  /// directions, m3 per unit of the direction.
+  /// Calculates the curves of one trial, and the derivatives of what is observed, above rest, along 1 to
+  /// `tangents` directions, per unit of the direction.
   void (*volume_derivatives)(const Model&, const Trial<double>&, std::span<const Trial<double>> directions,
-                             const TimeGrid&, VolumeCurve&, std::span<std::vector<double>> derivatives);
+                             const TimeGrid&, VolumeCurve&, std::span<BreathCurves> derivatives);
 };
 
 /// Returns the kernels that this machine can run, the fastest one last.

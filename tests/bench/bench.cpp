@@ -188,7 +188,7 @@ Case derivatives_in(const Kernel& kernel, const Subject& s) {
   for (std::size_t i = 0; i < directions.size(); ++i) *numbers(directions[i])[i] = 1.0;
   return {[=, &kernel] {
             VolumeCurve curve;
-            std::vector<std::vector<double>> along(directions.size());
+            std::vector<BreathCurves> along(directions.size());
             kernel.volume_derivatives(s.trunk.model, {s.scenario.parameters, s.scenario.activation},
                                       directions, s.scenario.time, curve, along);
           },

@@ -22,7 +22,7 @@ TEST_CASE("Coordinates and natural values go back and forth, for every parameter
   Candidate c = healthy();
   double value = 0.3;
   for (const FreeParameter& p : free_parameters())
-    p.field(c) = p.lower + (p.upper - p.lower) * (value *= 0.9);
+    set_value(p, p.lower + (p.upper - p.lower) * (value *= 0.9), c);
   const Candidate back = space.decode(space.encode(c));
   for (const FreeParameter& p : free_parameters()) {
     INFO(p.name);

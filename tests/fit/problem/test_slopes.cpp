@@ -56,6 +56,49 @@ TEST_CASE("The exact slopes of an objective are those of central differences", "
   }
 }
 
+TEST_CASE("The exact slopes of pressure, excursion and EMG are those of central differences",
+          "[unit][fit][slow]") {
+  Case c;
+  const auto add = [&](ChannelKind kind, double size, double deviation) {
+    std::vector<double> value;
+    for (const double t : c.measured.time_s) value.push_back(size * std::sin(M_PI * t / 4.5));
+    c.measured.beside.push_back({kind, value, deviation});
+  };
+  add(ChannelKind::gastric, 500.0, 30.0);
+  add(ChannelKind::excursion, 0.01, 1e-3);
+  add(ChannelKind::emg, 40.0, 0.1);
+  c.measured.beside.push_back({ChannelKind::excursion, {0.012}, 2e-3});
+  const SearchSpace space = c.space({"k_elasticity", "k_muscle", "damping", "onset", "shape_rise_3"});
+  test::TrunkObjective objective(c.trunk, c.scenario.time, space, c.measured, c.ledger);
+  REQUIRE(objective->blocks().size() == 5);
+  CHECK(objective->samples() == 4 * 31 + 1);
+  const LeastSquares problem = objective->problem();
+  CHECK(apart(problem.exact_slopes(space.start()), jacobian(problem, space.start(), 1e-5)) < 2e-5);
+}
+
+TEST_CASE("An offset and a drift of a pressure, and gain and offset of an EMG, change no residual",
+          "[unit][fit][slow]") {
+  Case c;
+  const SearchSpace space = c.space({"k_elasticity", "k_muscle"});
+  const Eigen::VectorXd active = activation_at(c.measured, c.scenario.activation, c.scenario.time);
+  std::vector<double> pressure, emg;
+  for (std::size_t i = 0; i < c.measured.time_s.size(); ++i) {
+    pressure.push_back(300.0 * std::sin(c.measured.time_s[i]));
+    emg.push_back(7.0 + 90.0 * active[static_cast<Eigen::Index>(i)]);
+  }
+  c.measured.beside = {{ChannelKind::gastric, pressure, 30.0}, {ChannelKind::emg, emg, 0.1}};
+  test::TrunkObjective objective(c.trunk, c.scenario.time, space, c.measured, c.ledger);
+  MeasuredCurve moved = c.measured;
+  for (double& p : moved.beside[0].value) p += 40.0;
+  for (double& e : moved.beside[1].value) e = 2.0 - 0.5 * e;
+  test::TrunkObjective other(c.trunk, c.scenario.time, space, moved, c.ledger);
+  const Eigen::VectorXd residuals = *objective->problem().at(space.start()).residuals,
+                        others = *other->problem().at(space.start()).residuals;
+  CHECK((residuals - others).norm() < 1e-9 * residuals.norm());
+  const Block& last = objective->blocks().back();
+  CHECK(residuals.segment(last.first, last.count).norm() < 1e-9);  // the EMG is the activation
+}
+
 TEST_CASE("The exact slope of a tidal volume is that of the curve where it is highest", "[unit][fit][slow]") {
   Case c;
   c.measured = {{}, {400e-6}, {}};
