@@ -99,12 +99,10 @@ class Course {
   double now_ = 0.0, volume_ = 0.0;
 };
 
-}  // namespace
-
-CompartmentBreath compartment_breath(const Compartment& c, const BreathActivation<double>& activation,
-                                     const TimeGrid& grid, std::span<const double> time_s) {
+/// Returns the breath of a compartment that follows pieces, in order.
+CompartmentBreath followed(const Compartment& c, const std::vector<Piece>& pieces, const TimeGrid& grid,
+                           std::span<const double> time_s) {
   const bool periodic = grid.start == Start::periodic;
-  const std::vector<Piece> pieces = pieces_of(activation, grid.duration_s, periodic);
   Course course(c.time_constant_s, pieces);
   CompartmentBreath breath;
   breath.delta_v.reserve(time_s.size());
@@ -117,6 +115,23 @@ CompartmentBreath compartment_breath(const Compartment& c, const BreathActivatio
     breath.delta_v[i] = c.gain_m3 * (breath.delta_v[i] + start * std::expm1(-time_s[i] / c.time_constant_s));
   breath.above_relaxation_m3 = c.gain_m3 * start;
   return breath;
+}
+
+}  // namespace
+
+CompartmentBreath compartment_breath(const Compartment& compartment,
+                                     const BreathActivation<double>& activation, const TimeGrid& grid,
+                                     std::span<const double> time_s) {
+  const bool periodic = grid.start == Start::periodic;
+  return followed(compartment, pieces_of(activation, grid.duration_s, periodic), grid, time_s);
+}
+
+CompartmentBreath driven_breath(double time_constant_s, const std::vector<double>& held, const TimeGrid& grid,
+                                std::span<const double> time_s) {
+  std::vector<Piece> pieces;
+  for (std::size_t i = 0; i + 1 < time_s.size(); ++i)
+    pieces.push_back({time_s[i], time_s[i + 1], held[i], held[i + 1]});
+  return followed({time_constant_s, 1.0}, pieces, grid, time_s);
 }
 
 }  // namespace trunk

@@ -28,4 +28,9 @@ CompartmentBreath compartment_breath(const Compartment& compartment,
                                      const BreathActivation<double>& activation, const TimeGrid& grid,
                                      std::span<const double> time_s);
 
+/// Returns the same of a compartment of gain 1 that follows `held` [times], m3, instead of a muscle. It is
+/// straight between the times, which increase from 0 to the grid's duration.
+CompartmentBreath driven_breath(double time_constant_s, const std::vector<double>& held, const TimeGrid& grid,
+                                std::span<const double> time_s);
+
 }  // namespace trunk

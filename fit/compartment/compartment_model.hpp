@@ -1,10 +1,23 @@
 #pragma once
 
+#include <cmath>
+
 #include "compartment/compartment_breath.hpp"
 #include "problem/measured_curve.hpp"
 #include "problem/volume_model.hpp"
 
 namespace trunk {
+
+/// How the stiffness factor of the abdominal wall changes what a trunk is: powers of the factor over that at
+/// which it was measured.
+struct WallFactor {
+  double measured_at = 1.0;
+  double elastance = 0.0, gain = 0.0, abdominal = 0.0;  // powers; gain: of the pressure that a muscle makes
+
+  double of(double power, const Parameters<double>& p) const {
+    return power == 0.0 ? 1.0 : std::pow(p.abdomen_factor / measured_at, power);
+  }
+};
 
 /// How a trunk breathes as one compartment. It is not quite one: the compartment that follows its volume best
 /// has a time constant that depends on what may move along. With the timing held, that is 25.2 c/k on the
@@ -21,25 +34,38 @@ struct TrunkAsCompartment {
   // With a lung, tissue and lung act together (see Recoil); 0 without one.
   double elastance = 0.0;        // 1/m4, of the tissue, per k_elasticity
   double tube_resistance = 0.0;  // Pa s/m3
-  // What is measured beside the volume, as the trunk has it over a breath (see calibrate). They are 0 in a
-  // fit of the volume alone.
-  double abdominal = 0.0;       // abdominal elastance, Pa/m3, per k_elasticity
-  double abdominal_flow = 0.0;  // abdominal resistance, Pa s/m3, per damping
-  double right_descent = 0.0;   // of the dome, m/m3
+  // What is measured beside the volume: as it is in a trunk at rest, and over a breath (see calibrate).
+  double abdominal = 0.0;             // 1/m4, abdominal elastance, per k_elasticity
+  double abdominal_flow = 0.0;        // Pa s/m3, abdominal resistance, per damping
+  double right_descent = 0.0;         // m/m3, of the dome
+  PiecewiseLinear airway_pressure{};  // Pa
+  WallFactor wall{};
 
   double time_constant_s(const Parameters<double>& p) const { return with_lung_s(recoil, p); }
   /// Between the two time factors of a trunk, over that with the timing held; and the deviation of this.
   static constexpr double between = 0.96, log_error = 0.023;
   double recoil_time_s(const Parameters<double>& p) const { return with_lung_s(relaxation, p); }
+  /// Returns the elastance of the respiratory system and of the abdomen, Pa/m3; 0 if they are not known.
+  double respiratory_elastance(const Parameters<double>& p) const {
+    return elastance * stiffness(p) + p.lung_elastance;
+  }
+  double abdominal_elastance(const Parameters<double>& p) const {
+    return abdominal * p.elasticity * wall.of(wall.abdominal, p);
+  }
+  /// Returns the volume that full activation holds, per k_muscle / k_elasticity, m3.
+  double held(const Parameters<double>& p) const {
+    return tissue_share(p) * held_m3 * (wall.of(wall.gain, p) / wall.of(wall.elastance, p));
+  }
   /// Returns the share of the tissue in the elastance of tissue and lung.
   double tissue_share(const Parameters<double>& p) const {
-    return elastance > 0.0 ? elastance * p.elasticity / (elastance * p.elasticity + p.lung_elastance) : 1.0;
+    return elastance > 0.0 ? elastance * stiffness(p) / respiratory_elastance(p) : 1.0;
   }
   /// Returns the k_elasticity with which a trunk of these parameters has a recoil time; it may be negative.
   double elasticity_of(double recoil_s, const Parameters<double>& p) const {
-    if (elastance == 0.0) return relaxation * p.damping / recoil_s;
+    const double softer = wall.of(wall.elastance, p);
+    if (elastance == 0.0) return relaxation * p.damping / recoil_s / softer;
     const double resistance = elastance * relaxation * p.damping + p.resistance + tube_resistance;
-    return (resistance / recoil_s - p.lung_elastance) / elastance;
+    return (resistance / recoil_s - p.lung_elastance) / elastance / softer;
   }
   /// Returns the trunk that breathes with `p` as this one does with `found`.
   TrunkAsCompartment moved(const Parameters<double>& found, const Parameters<double>& p) const {
@@ -48,31 +74,38 @@ struct TrunkAsCompartment {
     other.gain_m3 = gain_m3 * (found.muscle / found.elasticity) / (p.muscle / p.elasticity);
     if (elastance == 0.0) return other;
     other.gain_m3 *= tissue_share(found) / tissue_share(p);
-    other.recoil = (time_constant_s(found) * (elastance * p.elasticity + p.lung_elastance) - p.resistance -
-                    tube_resistance) /
+    other.recoil = (time_constant_s(found) * respiratory_elastance(p) - p.resistance - tube_resistance) /
                    (elastance * p.damping);
     return other;
   }
   Compartment of(const Parameters<double>& p) const {
-    return {time_constant_s(p), tissue_share(p) * (gain_m3 * p.muscle / p.elasticity)};
+    const double gain = gain_m3 * p.muscle / stiffness(p);
+    return {time_constant_s(p), tissue_share(p) * (gain * wall.of(wall.gain, p))};
   }
 
  private:
+  double stiffness(const Parameters<double>& p) const { return p.elasticity * wall.of(wall.elastance, p); }
   double with_lung_s(double factor, const Parameters<double>& p) const {
-    if (elastance == 0.0) return factor * p.damping / p.elasticity;
-    return (elastance * factor * p.damping + p.resistance + tube_resistance) /
-           (elastance * p.elasticity + p.lung_elastance);
+    if (elastance == 0.0) return factor * p.damping / stiffness(p);
+    return (elastance * factor * p.damping + p.resistance + tube_resistance) / respiratory_elastance(p);
   }
 };
+
+/// Returns the breath of the compartment, with what the airway does, at times that increase.
+CompartmentBreath breath_of(const TrunkAsCompartment& trunk, const Candidate& candidate, const TimeGrid& grid,
+                            std::span<const double> time_s);
 
 /// Returns what the compartment says of a breath at the measured times.
 SeenBreath seen(const TrunkAsCompartment& trunk, const Candidate& candidate, const TimeGrid& grid,
                 const MeasuredCurve& measured);
 
 /// Lets the compartment have the pressure and the dome of a simulated breath: least squares over the curves,
-/// on the volume and the flow of the same breath. => abdominal, abdominal_flow, right_descent
+/// on the volume and the flow of the same breath. => abdominal_flow, right_descent
 void calibrate(const Candidate& candidate, const BreathCurves& curves, const TimeGrid& grid,
                TrunkAsCompartment& trunk);
+
+/// Returns how the wall's factor changes a trunk, from recoils at two factors. `more` is at the higher one.
+WallFactor wall_factor(const Recoil& recoil, const Recoil& more);
 
 /// Returns the compartment of a trunk that springs back like this. Some trunks have no recoil time: of one
 /// with a paralysed side the domes sway for longer than the volume lasts, and one that is hardly damped

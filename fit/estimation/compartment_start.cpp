@@ -33,8 +33,8 @@ void meet_tidal_volume(Objective& compartment, Eigen::VectorXd& x) {
   x = compartment.problem().inside(x);
 }
 
-std::vector<Eigen::VectorXd> starts_of(Objective& compartment, const Indices& free, int count,
-                                       unsigned seed) {
+std::vector<Eigen::VectorXd> starts_of(Objective& compartment, const Indices& free, int count, unsigned seed,
+                                       bool airway_drives) {
   const SearchSpace& space = compartment.space();
   const Eigen::VectorXd first = space.start();
   Eigen::VectorXd low = first, high = first;
@@ -47,7 +47,17 @@ std::vector<Eigen::VectorXd> starts_of(Objective& compartment, const Indices& fr
   std::vector<Eigen::VectorXd> all =
       sobol_starts(box, static_cast<std::size_t>(std::max(count - 1, 0)), seed);
   all.insert(all.begin(), first);
-  for (Eigen::VectorXd& x : all) meet_tidal_volume(compartment, x);
+  if (!airway_drives) {
+    for (Eigen::VectorXd& x : all) meet_tidal_volume(compartment, x);
+    return all;
+  }
+  // The airway gives a part of the volume, or all of it: starts go from hardly any muscle to the usual one.
+  if (const auto muscle = space.find("k_muscle"))
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      auto& ratio = all[k][static_cast<Eigen::Index>(*muscle)];
+      ratio -= std::log(100.0) * static_cast<double>(k % 3) / 2.0;
+      all[k] = compartment.problem().inside(all[k]);
+    }
   return all;
 }
 
@@ -98,7 +108,8 @@ std::vector<LocalSearch> compartment_searches(const CompartmentFit& fit, const C
   };
   std::vector<LocalSearch> searches;
   std::vector<Eigen::VectorXd> ends;
-  for (const Eigen::VectorXd& start : starts_of(objective, free, fit.starts, fit.seed)) {
+  for (const Eigen::VectorXd& start :
+       starts_of(objective, free, fit.starts, fit.seed, !fit.compartment.airway_pressure.empty())) {
     SearchResult found{true, start, problem.at(start).objective, "", 1};
     if (!free.empty()) found = searched(start, rough);
     searches.push_back({space.decode(start), space.decode(found.best), found.objective, found.converged});

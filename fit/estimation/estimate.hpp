@@ -26,7 +26,7 @@ struct EstimationOptions {
 struct CrossCheck {
   std::string first, second;
   Eigen::VectorXd difference;  // [mechanical parameters asked for] in coordinates, which are about relative
-  bool agree = false;          // each within 0.1 standard errors or 2e-3
+  bool agree = false;          // each within 0.1 standard errors or 2e-3; wider for several observables
 
   double largest_difference() const { return difference.cwiseAbs().maxCoeff(); }
 };

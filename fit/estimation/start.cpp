@@ -22,8 +22,11 @@ double range_of(const std::vector<double>& value) {
 MeasuredCurve measured_curve_of(const MeasuredBreath& breath, bool weighted) {
   MeasuredCurve measured{
       breath.time_s, breath.volume_m3, weighted ? breath.sigma_m3 : std::vector<double>(), {}};
+  const bool has_both =
+      breath.channel(ChannelKind::pleural) != nullptr && breath.channel(ChannelKind::gastric) != nullptr;
   for (const MeasuredChannel& channel : breath.channels) {
     if (channel.kind == ChannelKind::airway) continue;  // it drives the model
+    if (channel.kind == ChannelKind::transdiaphragmatic && has_both) continue;
     const auto n = static_cast<double>(channel.value.size());
     const double range = channel.kind == ChannelKind::emg ? 1.0 : range_of(channel.value);
     measured.beside.push_back({channel.kind, channel.value,

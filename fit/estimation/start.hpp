@@ -6,11 +6,12 @@
 
 namespace trunk {
 
-/// Returns the curve of a measured breath, with what was measured beside its volume. With `weighted`, each
-/// sample of the volume has the deviation that the breath gives. Each channel counts as 20 independent
-/// samples at first, with a deviation of 5 % of its largest change (our choice; the noise that is found
-/// replaces it). One excursion has an error of 2 mm (our choice: a ninth of the right dome's 18 mm in quiet
-/// breathing of men, Boussuges et al., Chest 2009;135:391).
+/// Returns the curve of a measured breath, with what was measured beside its volume. A transdiaphragmatic
+/// pressure says nothing new beside the two pressures of which it is the difference, and is left out. With
+/// `weighted`, each sample of the volume has the deviation that the breath gives. Each channel counts as 20
+/// independent samples at first, with a deviation of 5 % of its largest change (our choice; the noise that is
+/// found replaces it). One excursion has an error of 2 mm (our choice: a ninth of the right dome's 18 mm in
+/// quiet breathing of men, Boussuges et al., Chest 2009;135:391).
 MeasuredCurve measured_curve_of(const MeasuredBreath& breath, bool weighted = false);
 
 /// Returns each breath, [breaths][values], as the curve has its mean. Where a channel leaves a breath out,

@@ -1,4 +1,6 @@
 #include "problem/free_parameters.hpp"
+
+#include "math/units.hpp"
 #include "text/edit_distance.hpp"
 
 #include <fmt/format.h>
@@ -10,6 +12,7 @@ using Group = FreeParameter::Group;
 using Scale = FreeParameter::Scale;
 
 // Priors (our choice): how exactly a trace gives the timing, and how far a knot may leave its line.
+constexpr double Pa_m3_per_unit = Pa_per_cmH2O / m3_per_litre;
 constexpr double timing_prior = 1.5, onset_prior_s = 0.3, shape_prior = 1.0;
 
 template <std::size_t Knot>
@@ -38,6 +41,12 @@ std::span<const FreeParameter> free_parameters() {
        [](Candidate& c) -> double& { return c.parameters.damping; }},
       {"abdomen_stiffness_factor", "1", "parameters.abdomen_stiffness_factor", 0.05, 20.0, Group::mechanics,
        [](Candidate& c) -> double& { return c.parameters.abdomen_factor; }},
+      {"lung_elastance", "cmH2O/L", "lung.elastance_cmH2O_per_L", 0.2, 200.0, Group::mechanics,
+       [](Candidate& c) -> double& { return c.parameters.lung_elastance; }, Scale::factor, 0.0,
+       Pa_m3_per_unit, true},
+      {"resistance", "cmH2O s/L", "lung.resistance_cmH2O_s_per_L", 0.02, 200.0, Group::mechanics,
+       [](Candidate& c) -> double& { return c.parameters.resistance; }, Scale::factor, 0.0, Pa_m3_per_unit,
+       true},
       {"onset", "s", "activation.onset_s", -1.0, 10.0, Group::timing,
        [](Candidate& c) -> double& { return c.activation.onset_s; }, Scale::amount, onset_prior_s},
       {"rise", "s", "activation.rise_s", 0.1, 10.0, Group::timing,

@@ -27,7 +27,8 @@ struct FreeParameter {
   Scale scale = Scale::factor;
   /// Standard deviation of the prior about the start, of the natural logarithm or of the amount; 0: no prior.
   double prior = 0.0;
-  double to_si = 1.0;  // the field, in SI units, over the natural unit
+  double to_si = 1.0;    // the field, in SI units, over the natural unit
+  bool of_lung = false;  // it is 0, and counts for nothing, in a trunk without a lung
 };
 
 /// Returns all parameters that can be fitted, in the order of results tables.

@@ -45,6 +45,7 @@ std::vector<FitRecord::Parameter> fitted_parameters(const SearchSpace& space, co
   std::vector<FitRecord::Parameter> result;
   const Candidate &initial = start, &best = e.best;
   for (const FreeParameter& p : free_parameters()) {
+    if (p.of_lung && value_of(p, best) == 0.0) continue;
     FitRecord::Parameter r;
     r.name = p.name;
     r.unit = p.unit;

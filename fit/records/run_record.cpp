@@ -144,7 +144,8 @@ std::vector<NamedValue> parameters_of(const Candidate& candidate) {
   Candidate c = candidate;
   std::vector<NamedValue> result;
   for (const FreeParameter& p : free_parameters())
-    result.push_back({std::string(p.name), std::string(p.unit), value_of(p, c)});
+    if (!p.of_lung || value_of(p, c) > 0.0)
+      result.push_back({std::string(p.name), std::string(p.unit), value_of(p, c)});
   return result;
 }
 

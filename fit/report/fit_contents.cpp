@@ -22,7 +22,7 @@ Json graded_contents(const std::vector<FitRecord::Result>& results) {
                     {"grade", r.grade},
                     {"assumption", r.assumption},
                     {"reason", r.reason},
-                    {"meaning", r.meaning},
+                    {"meaning", r.rests_on.empty() ? r.meaning : r.meaning + "; it rests on " + r.rests_on},
                     {"headline", r.headline}});
   return list;
 }

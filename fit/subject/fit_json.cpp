@@ -6,6 +6,7 @@
 #include "records/fit_record.hpp"
 #include "subject/clinic_json.hpp"
 #include "subject/fit_summary.hpp"
+#include "subject/observable_noise.hpp"
 
 namespace trunk {
 namespace {
@@ -119,6 +120,24 @@ Json breaths_json(const SubjectFit& fit, const FitOutcome& outcome) {
   return list;
 }
 
+/// Returns the noise that each observable has, and how many independent samples it counts for.
+Json observables_json(const SubjectFit& fit, const Estimation& e) {
+  Json json = Json::object();
+  for (const ObservableNoise& o : observable_noises(fit.measured_curve(), e))
+    json[o.name] = {{"noise", json_number(o.noise)},
+                    {"unit", o.unit},
+                    {"autocorrelation", json_number(o.autocorrelation)},
+                    {"effective_samples", json_number(o.effective_samples)}};
+  return json;
+}
+
+Json priors_json(const std::vector<ScalePrior>& scale) {
+  Json json = Json::object();
+  for (const ScalePrior& p : scale)
+    json[p.name] = {{"mean", p.mean}, {"unit", p.unit}, {"factor", p.factor}, {"source", p.source}};
+  return json;
+}
+
 Json straight_json(const StraightActivation& straight) {
   Json json = Json::object();
   for (const FitResult& r : straight.results) json[r.name] = to_json(r);
@@ -151,6 +170,8 @@ Json fit_json(const SubjectFit& fit, const FitOutcome& outcome) {
   json["starts"] = fit.compartment_searches().size();
   json["simulations"] = e.simulations;
   json["notes"] = outcome.notes;
+  if (!fit.scale().empty()) json["priors"] = priors_json(fit.scale());
+  if (e.local && e.local->blocks.size() > 1) json["observables"] = observables_json(fit, e);
   if (outcome.results.straight) json["straight_activation"] = straight_json(*outcome.results.straight);
   if (e.cross_check)
     json["cross_check"] = {{"methods", {e.cross_check->first, e.cross_check->second}},

@@ -44,7 +44,17 @@ Prior prior_of(const std::string& text) {
   };
   const auto equals = text.find('=');
   if (equals == std::string::npos) throw refuse("there is no '='");
-  const FreeParameter& p = free_parameter(text.substr(0, equals), {"--prior " + text});
+  const std::string named = text.substr(0, equals);
+  // The abdominal elastance is no parameter, but it has a prior, and like most it is known by a factor.
+  static constexpr FreeParameter elastance{.name = abdominal_elastance_prior,
+                                           .unit = "cmH2O/L",
+                                           .scenario_key = "",
+                                           .lower = 0.1,
+                                           .upper = 1000.0,
+                                           .group = FreeParameter::Group::mechanics,
+                                           .field = nullptr};
+  const FreeParameter& p =
+      named == abdominal_elastance_prior ? elastance : free_parameter(named, {"--prior " + text});
   const std::string value = text.substr(equals + 1);
   if (value == "none") return {std::string(p.name), {}, 0.0};
   const auto colon = value.find(':');

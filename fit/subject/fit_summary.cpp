@@ -148,10 +148,14 @@ Json to_json(const Estimate& e) {
 
 Json to_json(const FitResult& r) {
   const auto text = [](const std::string& words) { return words.empty() ? Json(nullptr) : Json(words); };
-  return {{"value", json_number(r.value)},     {"unit", r.unit},
-          {"lower95", json_number(r.lower95)}, {"upper95", json_number(r.upper95)},
-          {"grade", name_of(r.grade)},         {"assumption", text(r.assumption)},
-          {"reason", text(r.reason)},          {"meaning", r.meaning}};
+  Json json = {{"value", json_number(r.value)},     {"unit", r.unit},
+               {"lower95", json_number(r.lower95)}, {"upper95", json_number(r.upper95)},
+               {"grade", name_of(r.grade)},         {"assumption", text(r.assumption)},
+               {"reason", text(r.reason)},          {"meaning", r.meaning}};
+  if (r.shares.empty()) return json;
+  json["shares"] = Json::object();
+  for (const Share& s : r.shares) json["shares"][s.source] = s.part;
+  return json;
 }
 
 Json to_json(const FitSummary& s) {

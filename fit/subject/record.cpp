@@ -20,8 +20,8 @@ void add(const Predicted& p, bool structural, std::vector<NamedValue>& numbers) 
 }
 
 FitRecord::Result record_of(const FitResult& r) {
-  return {r.name,       r.unit,   r.value,   r.lower95, r.upper95, std::string(name_of(r.grade)),
-          r.assumption, r.reason, r.meaning, 0};
+  return {r.name,       r.unit,   r.value,   r.lower95, r.upper95,        std::string(name_of(r.grade)),
+          r.assumption, r.reason, r.meaning, 0,         text_of(r.shares)};
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "dynamics/stability.hpp"
 #include "estimation/start.hpp"
 #include "expiration/recoil_time.hpp"
+#include "math/units.hpp"
 #include "records/provenance.hpp"
 #include "scenarios/build_trunk.hpp"
 #include "subject/fixed_parameters.hpp"
@@ -19,6 +20,7 @@
 namespace trunk {
 namespace {
 
+constexpr double stiffer_wall = 1.4;       // where the effect of the wall is measured
 constexpr double usual_rate_per_s = 50.0;  // k_elasticity / damping: a recoil time of half a second
 
 std::vector<std::string> timing_names() {
@@ -57,6 +59,28 @@ bool is_shape(const std::string& name) {
   return free_parameter(name).group == FreeParameter::Group::shape;
 }
 
+/// Returns whether the pressure of the airway is a part of the model, so that a machine may breathe.
+bool explained_by_airway(const Measurement& measurement) {
+  return measurement.breath && measurement.breath->channel(ChannelKind::airway) != nullptr;
+}
+
+bool is_machine(const Gate& gate) {
+  return gate.name == "machine_driven";
+}
+
+/// Returns the course of a pressure over a breath that repeats: it ends as it begins.
+PiecewiseLinear repeating(const std::vector<double>& time_s, std::vector<double> value) {
+  value.front() = value.back() = 0.5 * (value.front() + value.back());
+  std::vector<PiecewiseLinear::Event> events;
+  for (std::size_t i = 0; i < value.size(); ++i) events.push_back({time_s[i], value[i]});
+  return PiecewiseLinear(std::move(events), value.front());
+}
+
+bool tells_force(const MeasuredObservable& o) {
+  return o.kind == ChannelKind::gastric || o.kind == ChannelKind::pleural ||
+         o.kind == ChannelKind::transdiaphragmatic;
+}
+
 void hold(const std::vector<FixedParameter>& fixed, ScenarioFile& file) {
   Candidate c{file.scenario.parameters, file.scenario.activation};
   for (const FixedParameter& held : fixed) {
@@ -83,12 +107,18 @@ SubjectFit::SubjectFit(ScenarioFile file, Measurement measurement, FitPlan plan)
     measured_curve_ = {{}, {measurement_.tidal_volume_m3}, {}, {}};
     plan_.timing = Timing::scenario;
   }
+  if (measurement_.breath) give_lung();
   hold(draft.fixed, file_);
   begin_ = scenario.parameters;
   if (plan_.timing == Timing::joint) draft.beside = beside_of(draft.fixed, plan_.straight);
   if (plan_.straight) plan_.priors = priors_of_straight_lines(plan_.priors, draft.beside);
+  if (measurement_.breath) take_scale(draft);
   trunk_ = build_trunk(file_);
-  screening_ = screened(measurement_, shape_of(trunk_, trunk_.model.rest).lung_volume);
+  const Screening seen_in_trace = screened(measurement_, shape_of(trunk_, trunk_.model.rest).lung_volume);
+  screening_.gates = seen_in_trace.gates;
+  screening_.tidal_volume_error = seen_in_trace.tidal_volume_error;
+  screening_.notes.insert(screening_.notes.end(), seen_in_trace.notes.begin(), seen_in_trace.notes.end());
+  if (explained_by_airway(measurement_)) std::erase_if(screening_.gates, is_machine);
   if (measurement_.breath) begin_with_compartment(draft);
   choose_step();
   if (measurement_.breath) calibrate_compartment(draft);
@@ -96,9 +126,82 @@ SubjectFit::SubjectFit(ScenarioFile file, Measurement measurement, FitPlan plan)
                                          draft.beside, plan_.priors);
 }
 
+/// Gives the trunk what its recording needs: the pressure of the airway where that was recorded, and a lung
+/// where pressures in the chest or the airway were. => scenario, notes
+void SubjectFit::give_lung() {
+  Scenario& s = file_.scenario;
+  const MeasuredBreath& breath = *measurement_.breath;
+  const MeasuredChannel* airway = breath.channel(ChannelKind::airway);
+  const bool needed = airway != nullptr || breath.channel(ChannelKind::pleural) != nullptr ||
+                      breath.channel(ChannelKind::transdiaphragmatic) != nullptr;
+  if (airway != nullptr) s.pleura.airway_pressure = repeating(breath.time_s, airway->value);
+  if (!needed || s.lung_acts) return;
+  s.lung_acts = true;
+  for (const ScalePrior& prior : scale_priors(s.parameters, true)) {
+    if (prior.name == abdominal_elastance_prior) continue;
+    const FreeParameter& p = free_parameter(prior.name);
+    if (!p.of_lung) continue;
+    Candidate c{s.parameters, s.activation};
+    set_value(p, prior.mean, c);
+    s.parameters = c.parameters;
+  }
+  screening_.notes.push_back(
+      "the scenario has no lung, and a pressure in the chest needs one: the usual lung and airway are taken "
+      "([lung] in the scenario gives others)");
+}
+
+/// Lets the scale of forces move along, under priors, where there is a lung or a pressure was measured.
+/// => scale_, draft.beside, plan_.priors
+void SubjectFit::take_scale(Draft& draft) {
+  const Scenario& s = file_.scenario;
+  const bool pressed = std::any_of(measured_curve_.beside.begin(), measured_curve_.beside.end(), tells_force);
+  if (!pressed && !s.lung_acts) return;
+  for (ScalePrior prior : scale_priors(s.parameters, s.lung_acts)) {
+    const auto given = std::find_if(plan_.priors.begin(), plan_.priors.end(),
+                                    [&](const Prior& p) { return p.name == prior.name; });
+    const bool fixed = std::any_of(draft.fixed.begin(), draft.fixed.end(),
+                                   [&](const FixedParameter& f) { return f.name() == prior.name; });
+    if (fixed) continue;
+    if (given != plan_.priors.end()) {
+      prior.mean = given->mean.value_or(prior.mean);
+      prior.factor = std::exp(given->deviation);
+      prior.source = "given";
+    }
+    const bool abdominal = prior.name == abdominal_elastance_prior;
+    if (abdominal && given != plan_.priors.end()) plan_.priors.erase(given);
+    if (!abdominal && !draft.has(prior.name)) draft.beside.push_back(prior.name);
+    if (!abdominal && given == plan_.priors.end())
+      plan_.priors.push_back({prior.name, prior.mean, std::log(prior.factor)});
+    if (prior.factor > 1.0) scale_.push_back(prior);
+  }
+}
+
+/// Returns what is known of a candidate: the energy of expiration if the activation has a free shape and no
+/// airway pressure drives the breath, and the abdominal elastance.
+Knowledge SubjectFit::knowledge_of(bool shaped) const {
+  Knowledge known;
+  if (shaped && !explained_by_airway(measurement_)) {
+    const ExpiredEnergy energy = expired_energy(*measurement_.breath);
+    known.push_back({"energy of expiration", [energy, this](const Candidate& c) {
+                       return energy_residual(energy, std::log(compartment_.recoil_time_s(c.parameters))).z;
+                     }});
+  }
+  for (const ScalePrior& prior : scale_)
+    if (prior.name == abdominal_elastance_prior)
+      known.push_back({prior.name, [prior, this](const Candidate& c) {
+                         const double elastance =
+                             m3_per_litre / Pa_per_cmH2O * compartment_.abdominal_elastance(c.parameters);
+                         return std::log(elastance / prior.mean) / std::log(prior.factor);
+                       }});
+  return known;
+}
+
 std::vector<std::string> SubjectFit::Draft::timing() const {
   std::vector<std::string> times = beside;
-  std::erase_if(times, is_shape);
+  std::erase_if(times, [](const std::string& name) {
+    const FreeParameter& p = free_parameter(name);
+    return p.group != FreeParameter::Group::timing && p.name != "fast_fall_level";
+  });
   return times;
 }
 
@@ -140,7 +243,12 @@ void SubjectFit::begin_with_compartment(const Draft& draft) {
   // At a stiffness that no start can move: inertia counts a little, and would move the result with the start.
   Parameters<double> usual = scenario.parameters;
   usual.elasticity = usual_rate_per_s * usual.damping;
-  compartment_ = as_compartment(measure_recoil(trunk_.model, usual), trunk_.model.pleura);
+  const Recoil recoil = measure_recoil(trunk_.model, usual);
+  compartment_ = as_compartment(recoil, trunk_.model.pleura);
+  if (!scale_.empty()) {
+    usual.abdomen_factor = stiffer_wall * scenario.parameters.abdomen_factor;
+    compartment_.wall = wall_factor(recoil, measure_recoil(trunk_.model, usual));
+  }
   // At first the volume alone is searched: the compartment has no pressures yet.
   const MeasuredCurve volume{measured_curve_.time_s, measured_curve_.delta_v, measured_curve_.sigma_m3, {}};
   CompartmentFit fit{compartment_, scenario.time, volume, draft.names, draft.beside, plan_.priors};
@@ -148,14 +256,15 @@ void SubjectFit::begin_with_compartment(const Draft& draft) {
   fit.seed = plan_.estimation.search.seed;
   const bool shaped = std::any_of(draft.beside.begin(), draft.beside.end(), is_shape) ||
                       std::any_of(draft.names.begin(), draft.names.end(), is_shape);
-  if (shaped && draft.has("k_elasticity")) {
-    const ExpiredEnergy energy = expired_energy(*measurement_.breath);
-    knowledge_ = {{"energy of expiration", [energy, this](const Candidate& c) {
-                     return energy_residual(energy, std::log(compartment_.recoil_time_s(c.parameters))).z;
-                   }}};
-    fit.knowledge = knowledge_;
+  if (draft.has("k_elasticity")) knowledge_ = knowledge_of(shaped);
+  fit.knowledge = knowledge_;
+  if (shaped && draft.has("k_elasticity") && !explained_by_airway(measurement_)) {
     fit.recoil_s = usable_recoil_s(recoil_time(*measurement_.breath));
     straight_ = straight_activation(fit, begin, measurement_.breath->each_m3);
+  }
+  if (!scale_.empty()) {  // priors and pressures tell k_elasticity as much as the recoil time does
+    fit.recoil_s.reset();
+    fit.begin_at_usual_recoil = false;
   }
   if (plan_.straight) {
     const auto& breath = *measurement_.breath;
@@ -164,7 +273,8 @@ void SubjectFit::begin_with_compartment(const Draft& draft) {
         breath.each_m3);
     fit.correlation = correlation_;
   }
-  if (plan_.timing == Timing::trace) fit.beside = timing_names();
+  if (plan_.timing == Timing::trace)
+    for (const std::string& name : timing_names()) fit.beside.push_back(name);
   if (fit.beside.empty()) fit.starts = 1;
   searches_ = trunk::compartment_searches(fit, begin);
   scenario.parameters = searches_.front().to.parameters;
@@ -180,6 +290,7 @@ void SubjectFit::calibrate_compartment(const Draft& draft) {
   const VolumeCurve curve = simulate_volume(trunk_, p, scenario.activation, scenario.time);
   if (!curve.ending.completed()) return;
   if (!measured_curve_.beside.empty()) calibrate(begin, curve, scenario.time, compartment_);
+  if (!compartment_.airway_pressure.empty()) return;  // a breath that no muscle drives shows no gain
   const Eigen::VectorXd seen = sampled(curve.delta_v, scenario.time.dt_s, measured_curve_.time_s);
   const MeasuredCurve breath{measured_curve_.time_s, {seen.data(), seen.data() + seen.size()}, {}, {}};
   // A timing that is fitted takes up a part of what the compartment misses, so it moves here too.
@@ -211,8 +322,8 @@ FitProblem SubjectFit::problem() const {
 FitResults SubjectFit::results(const Estimation& e) const {
   const FitProblem asked = problem();
   return assess_fit({asked, e, measurement_.breath ? &*measurement_.breath : nullptr, screening_.gates,
-                     screening_.tidal_volume_error, plan_.straight, !knowledge_.empty(), straight_,
-                     searches_});
+                     screening_.tidal_volume_error, plan_.straight, scale_.empty() && !knowledge_.empty(),
+                     straight_, searches_, scale_, explained_by_airway(measurement_)});
 }
 
 std::string SubjectFit::problem_text() const {

@@ -6,6 +6,7 @@
 #include "breaths/mean_breath.hpp"
 #include "estimation/estimate.hpp"
 #include "gates/gates.hpp"
+#include "problem/scale_priors.hpp"
 #include "scenarios/read_scenario.hpp"
 #include "subject/fixed_parameters.hpp"
 #include "verdict/fit_results.hpp"
@@ -61,6 +62,7 @@ class SubjectFit {
   const Screening& screening() const noexcept { return screening_; }
   const SearchSpace& space() const noexcept { return *space_; }
   const Trunk& trunk() const noexcept { return trunk_; }
+  const std::vector<ScalePrior>& scale() const noexcept { return scale_; }
   const std::vector<LocalSearch>& compartment_searches() const noexcept { return searches_; }  // best first
 
  private:
@@ -74,6 +76,9 @@ class SubjectFit {
     bool has(std::string_view name) const { return std::count(names.begin(), names.end(), name) > 0; }
   };
   Draft drafted() const;
+  void give_lung();
+  void take_scale(Draft& draft);
+  Knowledge knowledge_of(bool shaped) const;
   void begin_with_compartment(const Draft& draft);
   void choose_step();
   void calibrate_compartment(const Draft& draft);
@@ -88,7 +93,8 @@ class SubjectFit {
   Parameters<double> begin_;  // of the scenario, before the compartment finds better ones
   TrunkAsCompartment compartment_;
   Knowledge knowledge_;
-  double correlation_ = 0.0;  // of the noise of neighbouring samples; 0: as in a fit of the shape
+  std::vector<ScalePrior> scale_;  // what is known of forces; empty: the volume alone, and no lung
+  double correlation_ = 0.0;       // of the noise of neighbouring samples; 0: as in a fit of the shape
   Screening screening_;
   std::vector<LocalSearch> searches_;
   std::optional<StraightActivation> straight_;

@@ -130,6 +130,8 @@ std::optional<LocalFit> local_fit(Objective& objective, const Eigen::VectorXd& x
   fit.rows = *rows;
   fit.blocks = objective.blocks();
   std::vector<Noise> white;
+  for (const Block& b : fit.blocks)
+    fit.deviations.push_back(objective.deviation().segment(b.first, b.count).mean());
   for (std::size_t b = 0; b < fit.blocks.size(); ++b) {
     fit.noises.push_back(noise_of_block(objective, b, fit.residuals, fit.rows));
     white.push_back(fit.noises.back());

@@ -39,6 +39,7 @@ struct LocalFit {
   Eigen::MatrixXd rows;             // d residuals / d x: [values + priors, coordinates]
   Noise noise;                      // of the volume, in deviations
   std::vector<Block> blocks;        // of the values
+  std::vector<double> deviations;   // of each block, the mean of those that divide its residuals
   std::vector<Noise> noises;        // of each block, in deviations; that of the volume comes first
   double freedom = 0.0;             // degrees of freedom of intervals
   Eigen::MatrixXd breaths;          // [values, breaths] breath minus mean, in deviations; 0 columns for one

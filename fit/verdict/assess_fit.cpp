@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -24,6 +25,7 @@ struct Readings {
   double best = unknown, low_recoil = unknown, high_recoil = unknown;
   double deviation = 0.0;  // of the logarithm if `factor`
   bool factor = true;      // the number is positive and its interval is a factor
+  std::vector<Share> shares{};
 };
 
 class Assessment {
@@ -38,6 +40,7 @@ class Assessment {
       find_points();
       simulate_points();
       add_parameters();
+      add_clinical();
       add_measures();
     } else if (e_.search.converged && p_.measured.is_tidal_volume() && e_.uncertainty) {
       add_one_number();
@@ -146,9 +149,11 @@ class Assessment {
   }
 
   Readings read(const Reading& reading, bool factor = true) const {
-    Readings r{reading(best_), reading(low_), reading(high_), 0.0, factor};
+    Readings r{reading(best_), reading(low_), reading(high_), 0.0, factor, {}};
     const Reading scaled = [&](const Candidate& c) { return factor ? std::log(reading(c)) : reading(c); };
-    r.deviation = deviation_of(gradient_of(scaled, space_, e_.local->x), covariance_);
+    const Eigen::VectorXd gradient = gradient_of(scaled, space_, e_.local->x);
+    r.deviation = deviation_of(gradient, covariance_);
+    if (!in_.scale.empty()) r.shares = shares_of(p_, *e_.local, gradient);
     return r;
   }
 
@@ -165,7 +170,24 @@ class Assessment {
     out.lower95 = back(of(r.best) - std::hypot(spread, below));
     out.upper95 = back(of(r.best) + std::hypot(spread, above));
     out.meaning = meaning_of(name);
+    out.shares = r.shares;
     return out;
+  }
+
+  /// Grades a result in which forces count, after what it rests on.
+  void grade_by_shares(FitResult& r) const {
+    r.grade = Grade::assumption;
+    r.assumption = grade_of_shares(in_, r);
+    if (r.assumption.empty()) r.grade = Grade::determined;
+    set_reason(r, scale_reason(in_));
+  }
+
+  /// A breath that an airway drives may have no muscle at all: 0 is in the interval then.
+  FitResult muscular(const char* name, const char* unit, const Reading& reading) const {
+    if (!in_.airway_driven) return result(name, unit, read(reading), true);
+    FitResult r = result(name, unit, read(reading, false), true);
+    r.lower95 = std::max(r.lower95, 0.0);
+    return r;
   }
 
   /// Relative deviation of the measured volume: 1 % for segmentation and compartment, and that of a gain that
@@ -176,23 +198,32 @@ class Assessment {
   void add_parameters() {
     const auto& c = p_.compartment;
     const bool ratio_free = space_.find("k_muscle") || space_.find("k_elasticity");
-    const std::string course = course_reason(in_, recoil_);
+    const std::string course = in_.scale.empty() ? course_reason(in_, recoil_) : scale_reason(in_);
     const Reading r_ei = [&](const Candidate& x) {
       return muscle_against_recoil(c, x, p_.grid, p_.measured);
     };
-    FitResult inspiration = result("r_ei", "1", read(r_ei), true);
-    grade_inspiration(in_, inspiration);
+    FitResult inspiration = muscular("r_ei", "1", r_ei);
+    if (in_.scale.empty())
+      grade_inspiration(in_, inspiration);
+    else
+      grade_by_shares(inspiration);
     add(std::move(inspiration));
     FitResult recoil = recoil_result();
-    set_reason(recoil, course);
+    if (in_.scale.empty())
+      set_reason(recoil, course);
+    else
+      grade_by_shares(recoil);
     add(std::move(recoil));
     if (!ratio_free) return;
     const std::string shape = course_assumption(in_);
-    FitResult ratio =
-        result("k_muscle_over_k_elasticity", "1",
-               read([](const Candidate& x) { return x.parameters.muscle / x.parameters.elasticity; }), true);
+    FitResult ratio = muscular("k_muscle_over_k_elasticity", "1", [](const Candidate& x) {
+      return x.parameters.muscle / x.parameters.elasticity;
+    });
     ratio.assumption = shape;
-    set_reason(ratio, course);
+    if (in_.scale.empty())
+      set_reason(ratio, course);
+    else
+      grade_by_shares(ratio);
     add(std::move(ratio));
     for (const bool muscle : {false, true}) add_stiffness(muscle, course);
   }
@@ -211,10 +242,14 @@ class Assessment {
   void add_stiffness(bool muscle, const std::string& course) {
     const char* name = muscle ? "k_muscle" : "k_elasticity";
     if (!space_.find(name)) return;
-    FitResult stiffness = result(name, "N/m", read([&](const Candidate& x) {
-                                   return muscle ? x.parameters.muscle : x.parameters.elasticity;
-                                 }),
-                                 muscle);
+    const Reading reading = [&](const Candidate& x) {
+      return muscle ? x.parameters.muscle : x.parameters.elasticity;
+    };
+    FitResult stiffness = muscle ? muscular(name, "N/m", reading) : result(name, "N/m", read(reading), false);
+    if (!in_.scale.empty()) {
+      grade_by_shares(stiffness);
+      return add(std::move(stiffness));
+    }
     if (!muscle && recoil_) {  // the ends of the recoil time, not of the candidates: a bound may stop those
       const double scale = p_.compartment.relaxation * best_.parameters.damping;
       stiffness.lower95 = scale / recoil_->upper95_s;
@@ -244,6 +279,74 @@ class Assessment {
     return r;
   }
 
+  /// Adds what a clinic calls these things, where forces count.
+  void add_clinical() {
+    if (in_.scale.empty()) return;
+    const auto& c = p_.compartment;
+    const auto clinical = [&](const char* name, const char* unit, const Readings& r) {
+      FitResult out = result(name, unit, r, false);
+      grade_by_shares(out);
+      add(std::move(out));
+    };
+    constexpr double per_unit = m3_per_litre / Pa_per_cmH2O;
+    clinical("abdominal_elastance_cmH2O_per_L", "cmH2O/L",
+             read([&](const Candidate& x) { return per_unit * c.abdominal_elastance(x.parameters); }));
+    if (c.elastance > 0.0) {
+      clinical("lung_elastance_cmH2O_per_L", "cmH2O/L",
+               read([&](const Candidate& x) { return per_unit * x.parameters.lung_elastance; }));
+      clinical("respiratory_elastance_cmH2O_per_L", "cmH2O/L",
+               read([&](const Candidate& x) { return per_unit * c.respiratory_elastance(x.parameters); }));
+      clinical("resistance_cmH2O_s_per_L", "cmH2O s/L",
+               read([&](const Candidate& x) { return per_unit * x.parameters.resistance; }));
+      Readings peep = read(
+          [&](const Candidate& x) {
+            const double above_m3 = above_relaxation(c, x, p_.grid, p_.measured);
+            const double recoil_Pa = above_m3 * c.respiratory_elastance(x.parameters);
+            return (recoil_Pa - c.airway_pressure(0.0)) / Pa_per_cmH2O;
+          },
+          false);
+      FitResult out = result("intrinsic_peep_cmH2O", "cmH2O", peep, false);
+      if (!in_.airway_driven) out.lower95 = std::max(out.lower95, 0.0);
+      grade_by_shares(out);
+      add(std::move(out));
+    }
+    add_swings();
+  }
+
+  /// The swings are those of the trunk, with the relative spread of the compartment's.
+  void add_swings() {
+    const VolumeCurve curves = simulate_volume(p_.trunk, best_.parameters, best_.activation, p_.grid);
+    if (!curves.ending.completed()) return;
+    const bool lung = p_.compartment.elastance > 0.0;
+    MeasuredCurve seen_at{p_.measured.time_s, p_.measured.delta_v, {}, {{ChannelKind::gastric, {0.0}, 1.0}}};
+    using Course = std::function<Eigen::VectorXd(const SeenBreath&)>;
+    const auto add_swing = [&](const char* name, const std::vector<double>& simulated, const Course& course) {
+      const auto swing = [](const auto& values) {
+        double most = 0.0;
+        for (const double v : values)
+          if (std::abs(v) > std::abs(most)) most = v;
+        return most;
+      };
+      Readings r = read([&](const Candidate& x) {
+        return std::abs(swing(course(seen(p_.compartment, x, p_.grid, seen_at)))) / Pa_per_cmH2O;
+      });
+      const double value = swing(simulated) / Pa_per_cmH2O, spread = std::exp(quantile_ * r.deviation);
+      FitResult out{name, "cmH2O", value, value / spread, value * spread, Grade::assumption};
+      if (value < 0.0) std::swap(out.lower95, out.upper95);
+      out.meaning = meaning_of(name);
+      out.shares = r.shares;
+      grade_by_shares(out);
+      add(std::move(out));
+    };
+    add_swing("gastric_swing_cmH2O", curves.abdominal_Pa, [](const SeenBreath& b) { return b.abdominal_Pa; });
+    if (!lung) return;
+    std::vector<double> across = curves.abdominal_Pa;
+    for (std::size_t i = 0; i < across.size(); ++i) across[i] -= curves.pleural_Pa[i];
+    add_swing("pleural_swing_cmH2O", curves.pleural_Pa, [](const SeenBreath& b) { return b.pleural_Pa; });
+    add_swing("transdiaphragmatic_swing_cmH2O", across,
+              [](const SeenBreath& b) { return Eigen::VectorXd(b.abdominal_Pa - b.pleural_Pa); });
+  }
+
   void add_measures() {
     if (!summaries_.front().ending.completed()) return;
     const auto& m = summaries_;
@@ -268,18 +371,20 @@ class Assessment {
     measure("excursion_left_mm", "mm", mm_per_m, [](const Measures& x) { return x.excursion_left; });
     measure("delta_l_mm", "mm", mm_per_m, [](const Measures& x) { return x.delta_l; });
     measure("delta_h_mm", "mm", mm_per_m, [](const Measures& x) { return x.delta_h; });
-    FitResult above = result("end_expiratory_above_relaxation_ml", "ml",
-                             read(
-                                 [&](const Candidate& x) {
-                                   return ml_per_m3 * compartment_breath(p_.compartment.of(x.parameters),
-                                                                         x.activation, p_.grid, {})
-                                                          .above_relaxation_m3;
-                                 },
-                                 false),
-                             true);
+    FitResult above =
+        result("end_expiratory_above_relaxation_ml", "ml",
+               read(
+                   [&](const Candidate& x) {
+                     return ml_per_m3 * above_relaxation(p_.compartment, x, p_.grid, p_.measured);
+                   },
+                   false),
+               true);
     above.lower95 = std::max(above.lower95, 0.0);
     above.assumption = course_assumption(in_);
-    set_reason(above, course_reason(in_, recoil_));
+    if (in_.scale.empty())
+      set_reason(above, course_reason(in_, recoil_));
+    else
+      grade_by_shares(above);
     add(std::move(above));
   }
 
@@ -287,8 +392,19 @@ class Assessment {
 
   /// A gate withholds all that a muscle and a recoil explain.
   void withhold() {
-    for (const char* name : {"r_ei", "recoil_time_s", "k_muscle_over_k_elasticity", "k_elasticity",
-                             "k_muscle", "excursion_right_mm", "excursion_left_mm", "delta_l_mm"})
+    static constexpr std::array of_volume = {
+        "r_ei",     "recoil_time_s",      "k_muscle_over_k_elasticity", "k_elasticity",
+        "k_muscle", "excursion_right_mm", "excursion_left_mm",          "delta_l_mm"};
+    static constexpr std::array of_pressures = {"k_muscle",
+                                                "abdominal_elastance_cmH2O_per_L",
+                                                "lung_elastance_cmH2O_per_L",
+                                                "respiratory_elastance_cmH2O_per_L",
+                                                "resistance_cmH2O_s_per_L",
+                                                "recoil_time_s",
+                                                "transdiaphragmatic_swing_cmH2O",
+                                                "excursion_right_mm"};
+    const bool forces = pressure_measured(in_);
+    for (const char* name : forces ? of_pressures : of_volume)
       if (results_.find(name)) results_.headline.emplace_back(name);
     if (results_.gates.empty()) return;
     const auto muscular = [](const std::string& name) { return !name.ends_with("_mm"); };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "problem/scale_priors.hpp"
 #include "verdict/fit_results.hpp"
 
 namespace trunk {
@@ -15,6 +16,8 @@ struct FitEvidence {
   bool energy_known = false;  // the energy law is part of the posterior
   std::optional<StraightActivation> straight_lines{};
   std::vector<LocalSearch> optima{};  // of the compartment, best first
+  std::vector<ScalePrior> scale{};    // priors on forces; empty: volume alone, and no lung
+  bool airway_driven = false;         // the recorded pressure of the airway drives the breath
 };
 
 /// Returns the results of a fit: values, intervals, grades and reasons (thresholds: our choice).

@@ -9,6 +9,7 @@
 #include "expiration/recoil_time.hpp"
 #include "gates/gates.hpp"
 #include "verdict/draws.hpp"
+#include "verdict/shares.hpp"
 
 namespace trunk {
 
@@ -27,9 +28,10 @@ struct FitResult {
   std::string name, unit;
   double value = 0.0, lower95 = 0.0, upper95 = 0.0;  // NaN: withheld; infinite: no limit
   Grade grade = Grade::not_determined;
-  std::string assumption{};  // what the interval stands on; or ""
-  std::string reason{};      // why it is not determined; or ""
-  std::string meaning{};     // one line for a physiologist
+  std::string assumption{};     // what the interval stands on; or ""
+  std::string reason{};         // why it is not determined; or ""
+  std::string meaning{};        // one line for a physiologist
+  std::vector<Share> shares{};  // what it rests on, where forces count; see shares_of
 };
 
 /// What the paper's own assumption gives: an activation of straight lines. Its difference from the results

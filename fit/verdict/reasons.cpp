@@ -89,6 +89,48 @@ void grade_inspiration(const FitEvidence& in, FitResult& r) {
                          : "the recoil time is as given below, since expiration does not end at rest";
 }
 
+namespace {
+
+/// Returns what holds if a prior does.
+std::string assumption_behind(const std::string& source) {
+  if (source == "shape") return "the activation has a usual shape";
+  if (source == "timing") return "the timing is as the scenario and the trace suggest";
+  if (source == "energy of expiration")
+    return "the airway takes about 40 % (18 to 87 %) of the energy that recoil stores";
+  return "the " + source + " holds";
+}
+
+}  // namespace
+
+bool pressure_measured(const FitEvidence& in) {
+  const auto& beside = in.problem.measured.beside;
+  return in.airway_driven || std::any_of(beside.begin(), beside.end(), [](const MeasuredObservable& o) {
+           return o.kind == ChannelKind::gastric || o.kind == ChannelKind::pleural ||
+                  o.kind == ChannelKind::transdiaphragmatic;
+         });
+}
+
+std::string grade_of_shares(const FitEvidence& in, const FitResult& r) {
+  constexpr double most_of_priors = 0.1, worth_a_word = 0.05, widest = 0.25;
+  const double size = std::abs(r.value);
+  const bool narrow = r.upper95 - r.value <= widest * size && r.value - r.lower95 <= widest * size;
+  const bool alone = prior_part(r.shares) <= most_of_priors;
+  if (alone && narrow && in.breath && in.breath->breaths_used >= 5) return "";
+  std::string text;
+  for (const Share& s : r.shares) {
+    if (s.measured || s.part < worth_a_word) continue;
+    text += (text.empty() ? "" : "; ") + assumption_behind(s.source);
+  }
+  return text.empty() ? "more breaths would be like these" : text;
+}
+
+std::string scale_reason(const FitEvidence& in) {
+  if (std::string few = few_breaths(in); !few.empty()) return few;
+  if (in.airway_driven) return "";  // a breath without a muscle has no timing
+  const std::string bound = at_bound(in);
+  return bound.empty() ? "" : bound + " stopped at its bound";
+}
+
 void set_reason(FitResult& r, const std::string& reason) {
   if (reason.empty()) return;
   r.grade = Grade::not_determined;

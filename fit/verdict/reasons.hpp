@@ -20,6 +20,17 @@ std::string course_reason(const FitEvidence& evidence, const std::optional<Recoi
 /// breaths or more give it within 10 % (our choice).
 void grade_inspiration(const FitEvidence& evidence, FitResult& result);
 
+/// Returns whether a pressure was measured, so that forces have a scale.
+bool pressure_measured(const FitEvidence& evidence);
+
+/// Returns what the interval of a result stands on where forces count: the priors and the assumptions that
+/// have 5 % or more of its information. It is "" if they have 10 % or less together, the breaths are five or
+/// more, and the interval is within a quarter: the recording alone determines the result then (our choice).
+std::string grade_of_shares(const FitEvidence& evidence, const FitResult& result);
+
+/// Returns why nothing is determined where forces count; "" if nothing speaks against it.
+std::string scale_reason(const FitEvidence& evidence);
+
 /// Makes a result not determined, for a reason; "" leaves it as it is.
 void set_reason(FitResult& result, const std::string& reason);
 

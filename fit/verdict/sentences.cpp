@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "verdict/reasons.hpp"
+
 namespace trunk {
 namespace {
 
@@ -18,6 +20,15 @@ constexpr std::array meanings = {
     Meaning{"k_muscle_over_k_elasticity", "the stiffness of a fully active fibre over that of the tissue"},
     Meaning{"k_elasticity", "the stiffness of the tissue, for the damping that is assumed"},
     Meaning{"k_muscle", "the stiffness of a fully active fibre, for the damping that is assumed"},
+    Meaning{"abdominal_elastance_cmH2O_per_L", "the abdominal pressure that a litre makes"},
+    Meaning{"lung_elastance_cmH2O_per_L", "the pressure with which a litre makes the lung recoil"},
+    Meaning{"respiratory_elastance_cmH2O_per_L",
+            "the pressure with which a litre makes lung and chest recoil"},
+    Meaning{"resistance_cmH2O_s_per_L", "the pressure that a flow through airway and lung takes"},
+    Meaning{"intrinsic_peep_cmH2O", "the recoil pressure that is left when the next breath begins"},
+    Meaning{"gastric_swing_cmH2O", "the largest change of abdominal pressure in a breath"},
+    Meaning{"pleural_swing_cmH2O", "the largest change of pleural pressure in a breath"},
+    Meaning{"transdiaphragmatic_swing_cmH2O", "the largest change of the pressure across the diaphragm"},
     Meaning{"excursion_right_mm", "how far the right dome descends"},
     Meaning{"excursion_left_mm", "how far the left dome descends"},
     Meaning{"delta_l_mm", "how much the zone of apposition shortens"},
@@ -32,6 +43,23 @@ std::string advice(const FitResults& results) {
   if (recoil->grade == Grade::not_determined)
     return " A longer expiration, a pause before the next breath, or more breaths would help.";
   return " A measured pressure would replace the assumption.";
+}
+
+/// Returns which of the headline results the recording determines, and what the others stand on.
+std::string sentence_of_forces(const FitResults& results) {
+  std::string determined, assumed, reason;
+  for (const std::string& name : results.headline) {
+    const FitResult& r = *results.find(name);
+    if (r.grade == Grade::not_determined) reason = r.reason;
+    std::string& list = r.grade == Grade::determined ? determined : assumed;
+    if (r.grade <= Grade::assumption) list += (list.empty() ? "" : ", ") + name;
+  }
+  if (!reason.empty()) return fmt::format("This recording determines nothing: {}.", reason);
+  std::string text;
+  if (!determined.empty()) text = fmt::format("This recording determines {}.", determined);
+  if (assumed.empty()) return text;
+  return text + fmt::format("{}The interval of {} holds if what stands beside it holds.",
+                            text.empty() ? "" : " ", assumed);
 }
 
 /// Returns assumptions, which semicolons separate, as one clause.
@@ -70,6 +98,7 @@ std::string verdict_sentence(const FitResults& results, const FitEvidence& evide
     return "One tidal volume gives k_muscle for a trunk and an activation as in the scenario, and it does "
            "not "
            "show how exactly. A trace would.";
+  if (pressure_measured(evidence)) return sentence_of_forces(results) + caveat(evidence.estimation.quality);
   const FitResult* recoil = results.find("recoil_time_s");
   const FitResult* inspiration = results.find("r_ei");
   if (recoil == nullptr || inspiration == nullptr) return "";

@@ -18,6 +18,10 @@ double deviation_of(const Eigen::VectorXd& gradient, const Eigen::MatrixXd& cova
 double tidal_volume(const TrunkAsCompartment& compartment, const Candidate& candidate, const TimeGrid& grid,
                     const MeasuredCurve& measured);
 
+/// Returns the volume of the compartment above relaxation as a breath begins, m3.
+double above_relaxation(const TrunkAsCompartment& compartment, const Candidate& candidate,
+                        const TimeGrid& grid, const MeasuredCurve& measured);
+
 /// Returns k_muscle A / k_elasticity at end-inspiration. No air flows there, so the muscle holds the volume:
 /// it is the volume above relaxation over what full activation holds.
 double muscle_against_recoil(const TrunkAsCompartment& compartment, const Candidate& candidate,

@@ -1,5 +1,6 @@
 #include "verdict/straight_activation.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "verdict/spread.hpp"
@@ -9,6 +10,10 @@ namespace {
 
 bool is_shape(const std::string& name) {
   return free_parameter(name).group == FreeParameter::Group::shape;
+}
+
+bool is_scale(const std::string& name) {
+  return free_parameter(name).group == FreeParameter::Group::mechanics && name != "fast_fall_level";
 }
 
 FitResult result_of(const Estimate& e, const char* name) {
@@ -21,9 +26,16 @@ FitResult result_of(const Estimate& e, const char* name) {
 
 StraightActivation straight_activation(CompartmentFit fit, const Candidate& begin,
                                        const std::vector<std::vector<double>>& breaths) {
+  const auto stays = [](const std::string& name) {  // the paper's fit knows neither a shape nor a scale
+    return is_shape(name) || is_scale(name);
+  };
   std::erase_if(fit.names, is_shape);
-  std::erase_if(fit.beside, is_shape);
-  std::erase_if(fit.priors, [](const Prior& p) { return is_shape(p.name); });
+  std::erase_if(fit.beside, stays);
+  std::erase_if(fit.priors, [&](const Prior& p) {
+    return std::count(fit.names.begin(), fit.names.end(), p.name) +
+               std::count(fit.beside.begin(), fit.beside.end(), p.name) ==
+           0;
+  });
   fit.priors = priors_of_straight_lines(fit.priors, fit.beside);
   fit.knowledge.clear();
   fit.recoil_s = {};

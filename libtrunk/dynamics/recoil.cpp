@@ -63,6 +63,9 @@ class Measurement {
     not_still();
   }
 
+  /// Returns the abdominal pressure above rest, Pa.
+  double abdominal_Pa() const noexcept { return abdominal_Pa_; }
+
   /// Lets the muscle go, and measures until everything is back at rest. gain is left out.
   Recoil release() {
     constexpr double back = 1e-4, forgotten = 2e-5;
@@ -88,7 +91,9 @@ class Measurement {
   void step(double strength) {
     Parameters<double> p = parameters_;
     p.muscle *= strength;
-    if (!kernel().step(model_, p, 1.0, state_, workspace_).ok) not_still();
+    const StepReport<double> report = kernel().step(model_, p, 1.0, state_, workspace_);
+    if (!report.ok) not_still();
+    abdominal_Pa_ = report.pressure_Pa;
     ++steps_;
   }
 
@@ -112,6 +117,7 @@ class Measurement {
   double unit_s_, dt_s_ = 0.0;
   State<double> state_;
   Workspace<double> workspace_;
+  double abdominal_Pa_ = 0.0;  // at the end of the last step
   int steps_ = 0;
 };
 
@@ -142,7 +148,9 @@ Recoil measure_recoil(const Model& given, const Parameters<double>& parameters) 
   const double wanted = part_of_lung * enclosed_volume<double>(model.lung, model.rest);
   const double strength = wanted / std::max(measurement.hold(1.0), 0.1 * wanted);
   const double held = measurement.hold(strength);
+  const double abdominal = measurement.abdominal_Pa() / (p.elasticity * held);
   Recoil recoil = measurement.release();
+  recoil.abdominal = abdominal;
   if (!paralysed) recoil.gain = held / (strength * first_ratio);
   if (model.pleura) recoil.elastance = measure_elastance(model, p, wanted);
   return recoil;

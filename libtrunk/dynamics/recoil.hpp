@@ -16,6 +16,8 @@ namespace trunk {
 /// volume at periods of 5 and 3.3 s, and within 0.8 % at 2 s (measured). It cannot follow a trunk with one
 /// paralysed side, whose domes sway for longer than the volume lasts.
 ///
+/// abdominal is the abdominal pressure over the volume held and k_elasticity.
+///
 /// If the model has a pleura, elastance is measured too: a pleural pressure holds the same volume, and
 /// elastance is that pressure over the volume and k_elasticity. The lung itself, resistances and the pressure
 /// of the airway have no part in any of these numbers.

@@ -21,7 +21,8 @@ struct BreathCurves {
 
 /// The curves in the order of observed values. Each kernel has its own copy, so the linkage is internal.
 constexpr std::array all_curves = {&BreathCurves::delta_v, &BreathCurves::abdominal_Pa,
-                                   &BreathCurves::pleural_Pa, &BreathCurves::right_dome_m, &BreathCurves::left_dome_m};
+                                   &BreathCurves::pleural_Pa, &BreathCurves::right_dome_m,
+                                   &BreathCurves::left_dome_m};
 
 /// The curves of a simulated breath, and how it ended.
 struct VolumeCurve : BreathCurves {

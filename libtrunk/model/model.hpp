@@ -131,6 +131,7 @@ struct Recoil {
   double memory = 0.0;          // of what was before, a time in damping / k_elasticity
   double abdomen_factor = 0.0;  // for which all this holds
   double elastance = 0.0;       // 1/m4: Pa/m3 of pleural pressure per N/m of k_elasticity; 0: not measured
+  double abdominal = 0.0;       // 1/m4: Pa/m3 of abdominal pressure per N/m of k_elasticity
 };
 
 /// The particles at the top of both domes of the diaphragm: what ultrasound follows.

@@ -10,6 +10,7 @@
 #include "commands/text/output.hpp"
 #include "commands/text/result_text.hpp"
 #include "math/units.hpp"
+#include "subject/observable_noise.hpp"
 
 namespace trunk {
 namespace {
@@ -53,6 +54,22 @@ std::string origin_of(const SubjectFit& fit) {
   return "from the scenario";
 }
 
+/// Returns what was measured and how exactly, the priors on forces, and what each result rests on.
+std::string scale_lines(const SubjectFit& fit, const FitOutcome& outcome) {
+  if (fit.scale().empty()) return "";
+  std::string text;
+  for (const ObservableNoise& o : observable_noises(fit.measured_curve(), outcome.estimation))
+    text += fmt::format("  {}: noise {:.2g} {}, as {:.0f} independent samples\n", o.name, o.noise, o.unit,
+                        o.effective_samples);
+  for (const ScalePrior& p : fit.scale())
+    text += fmt::format("  prior of {}: {:.3g} {}, factor {:.3g}; {}\n", p.name, p.mean,
+                        p.unit == "1" ? "" : p.unit, p.factor, p.source);
+  for (const FitResult& r : outcome.results.results)
+    if (!r.shares.empty())
+      text += fmt::format("  {} {} rests on: {}\n", title_of(r.name), interval_text(r), text_of(r.shares));
+  return text;
+}
+
 /// Returns parameters, activation, joint region, bootstrap and search.
 std::string details(const SubjectFit& fit, const FitOutcome& outcome) {
   const Estimation& e = outcome.estimation;
@@ -80,6 +97,7 @@ std::string details(const SubjectFit& fit, const FitOutcome& outcome) {
                           e.bootstrap->interval95[i].lower, e.bootstrap->interval95[i].upper);
     text += "\n";
   }
+  text += scale_lines(fit, outcome);
   if (e.cross_check)
     text +=
         fmt::format("  {} and {} {} ({:.2g} % apart)\n", e.cross_check->first, e.cross_check->second,

@@ -25,7 +25,15 @@ constexpr std::array titles = {
     Title{"excursion_left_mm", "left dome descends"},
     Title{"delta_l_mm", "zone of apposition shortens"},
     Title{"delta_h_mm", "domes flatten"},
-    Title{"end_expiratory_above_relaxation_ml", "end-expiratory volume above relaxation"}};
+    Title{"end_expiratory_above_relaxation_ml", "end-expiratory volume above relaxation"},
+    Title{"abdominal_elastance_cmH2O_per_L", "abdominal elastance"},
+    Title{"lung_elastance_cmH2O_per_L", "lung elastance"},
+    Title{"respiratory_elastance_cmH2O_per_L", "respiratory elastance"},
+    Title{"resistance_cmH2O_s_per_L", "resistance of airway and lung"},
+    Title{"intrinsic_peep_cmH2O", "intrinsic PEEP"},
+    Title{"gastric_swing_cmH2O", "gastric swing"},
+    Title{"pleural_swing_cmH2O", "pleural swing"},
+    Title{"transdiaphragmatic_swing_cmH2O", "transdiaphragmatic swing"}};
 
 constexpr const char* verdict_mark = "*";
 

@@ -137,6 +137,7 @@ struct FitRecord {
     std::string assumption, reason;  ///< what the interval stands on; why it is not determined; or ""
     std::string meaning;             ///< one line for a physiologist
     std::int32_t headline = 0;       ///< place among the results that are shown first, from 1; 0: it is not
+    std::string rests_on{};          ///< "gastric pressure 71 %, volume 29 %"; or ""
   };
   /// Why the recording must not be fitted as it is.
   struct Gate {

@@ -25,6 +25,8 @@ std::vector<Result> read_table(hid_t root, const std::string& group) {
                                        {"reason", &Result::reason},
                                        {"meaning", &Result::meaning}})
     fill(hdf5::read_texts(root, path(column)), path(column), member, results);
+  if (hdf5::has_link(hdf5::open_group(root, group), "rests_on"))
+    fill(hdf5::read_texts(root, path("rests_on")), path("rests_on"), &Result::rests_on, results);
   for (const auto& [column, member] :
        {std::pair{"value", &Result::value}, {"lower95", &Result::lower95}, {"upper95", &Result::upper95}})
     fill(hdf5::read_doubles(root, path(column)), path(column), member, results);

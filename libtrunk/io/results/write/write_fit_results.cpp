@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "results/hdf5/write.hpp"
 #include "results/write/layout.hpp"
 
@@ -33,6 +35,9 @@ void write_table(hid_t group, const std::vector<Result>& results) {
   texts("assumption", "what the interval stands on", &Result::assumption);
   texts("reason", "why the result is not determined", &Result::reason);
   texts("meaning", "what the result says", &Result::meaning);
+  if (std::any_of(results.begin(), results.end(), [](const Result& r) { return !r.rests_on.empty(); }))
+    texts("rests_on", "shares of what was measured, and of priors, in what is known of the result",
+          &Result::rests_on);
   write_array(group, {"headline", "1", "place among the results that are shown first, from 1; 0: none"},
               column(results, &Result::headline), {name});
 }
