@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "estimation/estimate.hpp"
+#include "problem/trunk_model.hpp"
 #include "prediction/predicted.hpp"
 #include "scenarios/read_scenario.hpp"
 

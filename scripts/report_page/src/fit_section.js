@@ -264,25 +264,30 @@ function breaths(parent, { breaths: found }) {
   box.append(table(heads, rows, { caption: 'Fitted breaths', numeric: found.columns.map((_, i) => i) }));
 }
 
+const PREDICTED = {
+  delta_v_ml: 'ΔV there (ml)',
+  own_delta_v_ml: 'ΔV in its own scenario (ml)',
+  ratio_percent: 'ratio (%)',
+  excursion_right_mm: 'right dome (mm)',
+  excursion_left_mm: 'left dome (mm)',
+  delta_l_mm: 'ΔL (mm)',
+  delta_h_mm: 'ΔH (mm)',
+};
+
 function predictions(parent, fit) {
   if (fit.predictions.length === 0) return;
-  const rows = fit.predictions.map(({ name, numbers, structure }) => {
-    const number = (of) => numberText(numberNamed(numbers, of), 4);
-    const text = (of) => {
-      const interval = `${number(of)} (${number(`${of}_lower95`)} to ${number(`${of}_upper95`)})`;
-      if (structure === null) return interval;
-      return `${interval}; ${number(`${of}_structural_lower95`)} to ${number(`${of}_structural_upper95`)}`;
-    };
-    return [name, text('delta_v_ml'), text('own_delta_v_ml'), text('ratio_percent'), text('excursion_right_mm'), text('excursion_left_mm')];
-  });
   const structural = fit.predictions.some((p) => p.structure !== null);
+  const rows = fit.predictions.flatMap(({ name, numbers }) =>
+    Object.entries(PREDICTED).filter(([number]) => numbers.some((n) => n.name === number)).map(([number, label], i) => {
+      const at = (end) => numberText(numberNamed(numbers, number + end), 4);
+      const range = (kind) => `${at(`${kind}_lower95`)} to ${at(`${kind}_upper95`)}`;
+      return [i === 0 ? name : '', label, at(''), range(''), ...(structural ? [range('_structural')] : [])];
+    }),
+  );
   section(
     parent,
     'What the fit makes of other scenarios',
-    table(['scenario', 'ΔV there (ml)', 'ΔV in its own scenario (ml)', 'ratio (%)', 'right dome (mm)', 'left dome (mm)'], rows, {
-      caption: structural ? 'Predictions: 95 % interval of the fit; then that over choices of the model' : 'Predictions with 95 % intervals',
-      numeric: [1, 2, 3, 4, 5],
-    }),
+    table(['scenario', 'number', 'value', 'of the fit', ...(structural ? ['over choices of the model'] : [])], rows, { caption: 'Predictions with 95 % intervals', numeric: [2, 3, 4] }),
     ...fit.predictions.filter((p) => p.structure !== null).flatMap(choices),
   );
 }
@@ -291,15 +296,14 @@ function predictions(parent, fit) {
 function choices({ name, structure }) {
   const notes = structure.left_out.map((sentence) => note(sentence));
   if (structure.choices.length === 0) return notes;
-  const shown = { ratio_percent: 'ratio', excursion_right_mm: 'right dome', excursion_left_mm: 'left dome', delta_l_mm: 'ΔL', delta_h_mm: 'ΔH' };
-  const measures = Object.keys(shown).filter((measure) => structure.measures.includes(measure));
+  const measures = Object.keys(PREDICTED).filter((m) => structure.measures.includes(m) && !m.includes('delta_v'));
   const rows = structure.choices.map((choice, i) => {
     const unit = choice.unit === '1' ? '' : ` ${choice.unit}`;
     const share = (measure) => structure.shares[structure.measures.indexOf(measure) * structure.choices.length + i];
     const part = (of) => (of === null ? '' : `${Math.round(100 * of)} %`);
     return [choice.name.replaceAll('_', ' '), `${numberText(choice.low, 4)} to ${numberText(choice.high, 4)}${unit}`, ...measures.map((m) => part(share(m))), choice.source];
   });
-  const heads = ['choice', 'range', ...measures.map((m) => shown[m]), 'source of the range'];
+  const heads = ['choice', 'range', ...measures.map((m) => PREDICTED[m].replace(/ \(.*/, '')), 'source of the range'];
   return [table(heads, rows, { caption: `Choices of the model behind ${name}, and their part of the variance`, numeric: measures.map((_, i) => i + 2) }), ...notes];
 }
 
