@@ -218,8 +218,10 @@ Trunk make_trunk(const TrunkMesh& mesh, const Tissue& tissue, Reaction reaction,
   model.lung_fans = fans(mesh.lung);
   for (int i : mesh.named("fixed")) model.mobility[index(i)] = {0.0, 0.0, 0.0};
   add_rigid_parts(mesh, tissue, parts, model);
-  if (tissue.elasticity == ElasticLaw::sheet) stiffen_borders(mesh, sheet_factor, model);
-  stiffen_held(tissue.held_stiffness, model);
+  if (tissue.elasticity == ElasticLaw::sheet)
+    stiffen_borders(mesh, sheet_factor, model);
+  else
+    stiffen_held(tissue.held_stiffness, model);
   leave_out_unpushed(pushed_particles(model), model.shape_memory);
   require_valid(model);
   return trunk;

@@ -56,6 +56,7 @@ struct Tissue {
   /// Factor on the elasticity of held particles of the elastic surface (our option). The ring of a held
   /// particle clamps the surface only half a spacing outside of the particle, an error of first order in the
   /// spacing. A factor of 2 corrects this, and results then converge nearly twice as fast.
+  /// A sheet finds the factor of each particle, and does not use this one.
   double held_stiffness = 1.0;
   Side paralysed = Side::none;
   double paralysed_stiffness = 0.5;  // elasticity of a paralysed hemidiaphragm over the healthy one

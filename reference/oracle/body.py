@@ -53,7 +53,7 @@ class Body:
         stiffness = self.tissue.stiffness * np.where(held, s["tissue"]["held_stiffness_factor"], 1.0)
         rings, weights = rings_of(self.anatomy.surface, self.rest), self.tissue.weights
         if weights:
-            stiffness *= self.stiffening_of_borders(rings, held)
+            stiffness = self.tissue.stiffness * self.stiffening_of_borders(rings, held)
         self.rings = []
         for valence in sorted({len(ring) for ring in rings.values()}):
             members = np.array([[v, *ring] for v, ring in rings.items() if len(ring) == valence]).T

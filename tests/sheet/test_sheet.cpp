@@ -250,6 +250,13 @@ TEST_CASE("A sheet needs no shorter steps than rings", "[unit][sheet]") {
   }
 }
 
+TEST_CASE("A sheet finds the stiffness of held particles by itself", "[unit][sheet]") {
+  Scenario given = on_sheet(shipped("healthy"));
+  const auto usual = make_trunk(given).model.shape_memory.stiffness_weight;
+  given.tissue.held_stiffness = 3.0;
+  CHECK(make_trunk(given).model.shape_memory.stiffness_weight == usual);
+}
+
 TEST_CASE("The published reaction has no sheet", "[unit][sheet]") {
   CHECK_THROWS_WITH(make_template_trunk({}, Tissue{.elasticity = ElasticLaw::sheet}, Reaction::published),
                     Contains("published") && Contains("sheet"));

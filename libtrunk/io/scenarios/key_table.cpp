@@ -91,8 +91,7 @@ std::vector<Key> make_keys() {
           "tissue.held_stiffness_factor", "", one, 0, 100,
           [](Scenario& s) -> double& { return s.tissue.held_stiffness; },
           "stiffness of held particles of abdomen and diaphragm, as a multiple of their own elasticity; 2 "
-          "makes "
-          "results converge faster with the resolution"),
+          "makes results converge faster with the resolution; a sheet finds its own"),
       {"tissue.elasticity",
        "how the stiffness of a particle follows from the mesh: each ring alike (the paper's), or as a sheet, "
        "whose results do not depend on the triangles",
