@@ -49,9 +49,9 @@ std::vector<Ends> tried_ends(const std::vector<const Choice*>& choices, const Tr
   for (const Choice* c : choices) all.push_back({c, {}, {}});
   std::vector<Tried> results = trials.tried(placed, execution);
   for (std::size_t i = 0; i < placed.size(); ++i) {
-    const auto& [choice, place] = placed[i].choices.front();
+    const Choice* choice = placed[i].choices.front().first;
     Ends& ends = *std::find_if(all.begin(), all.end(), [&](const Ends& e) { return e.choice == choice; });
-    (place > 0.0 ? ends.high : ends.low) = std::move(results[i]);
+    (placed[i].choices.front().second > 0.0 ? ends.high : ends.low) = std::move(results[i]);
   }
   return all;
 }
