@@ -41,6 +41,24 @@ double fill_gap(const Bodies& bodies, Voxels& filled) {
   return narrowest < HUGE_VAL ? narrowest : 0.0;
 }
 
+/// Fills each row along x between one lung and the plane half-way to the other one, as far as a gap may be
+/// wide.
+void fill_to_middle(const Bodies& bodies, double inward, double middle, Voxels& filled) {
+  const auto [nx, ny, nz] = filled.size();
+  for (int k = 0; k < nz; ++k)
+    for (int j = 0; j < ny; ++j) {
+      int inner = -1;
+      for (int i = 0; i < nx; ++i)
+        if (bodies.body[filled.index(i, j, k)] >= 0 && (inner < 0 || inward > 0.0)) inner = i;
+      if (inner < 0) continue;
+      const double apart = inward * (middle - filled.centre(filled.index(inner, j, k)).x());
+      if (apart <= 0.0 || apart > 0.5 * widest_gap) continue;
+      const int step = inward > 0.0 ? 1 : -1, cells = static_cast<int>(apart / filled.edge());
+      for (int i = 1; i <= cells && inner + step * i >= 0 && inner + step * i < nx; ++i)
+        filled[filled.index(inner + step * i, j, k)] = 1;
+    }
+}
+
 /// Returns below 0 if a lung's inner side is to the left, above 0 if it is to the right, in units of its
 /// width: the top leans inward, and the middle of the volume is nearer to the flat inner side (our choice).
 double inward_lean(const Voxels& solid) {
@@ -174,6 +192,7 @@ LungSurface outer_lungs(const MeasuredSurface& measured, std::optional<LungSide>
       result.side = given ? *given : lean < 0.0 ? LungSide::right : LungSide::left;
       inward[0] = result.side == LungSide::right ? -1.0 : 1.0;
       result.middle = (inward[0] < 0.0 ? low[0] : high[0]) + 0.5 * usual_gap * inward[0];
+      fill_to_middle(bodies, inward[0], result.middle, filled);
       if (!given)
         result.notes.push_back(
             fmt::format("this is one lung, taken as the {} one, since its top and its flat side lie towards "

@@ -48,18 +48,17 @@ std::vector<Shown> shown_by(const TrunkMesh& trunk, const SubjectMeasurements& t
     shown.back().surface.name = name;
   };
   // Completes the last one, of which only the half at greater (+1) or smaller x was measured.
-  const auto mirror_at = [&](double x, double sign, double beside_middle) {
+  const auto mirror_at = [&](double x, double sign) {
     Shown& half = shown.back();
-    half.measured = Half{half.surface, side_of(trunk, half.part, sign, beside_middle)};
+    half.measured = Half{half.surface, side_of(trunk, half.part, sign)};
     half.surface = with_mirror_image(half.surface, x);
   };
   if (targets.diaphragm)
     add(*targets.diaphragm, "diaphragm", diaphragm_of(trunk), Direction::both, Facing::any);
-  if (cut) mirror_at(cut->x, cut->measured_side, 0.0);
-  constexpr double beside_heart = 1.0 / 6.0;
+  if (cut) mirror_at(cut->x, cut->measured_side);
   if (lungs) add(lungs->outer, "lungs", trunk.lung, Direction::both, Facing::alike);
   if (lungs && lungs->side != LungSide::both)
-    mirror_at(lungs->middle, lungs->side == LungSide::right ? 1.0 : -1.0, beside_heart);
+    mirror_at(lungs->middle, lungs->side == LungSide::right ? 1.0 : -1.0);
   if (targets.skin)
     add(*targets.skin, "skin", abdominal_wall_of(trunk), Direction::part_to_target, Facing::alike);
   if (targets.ribs)

@@ -50,8 +50,7 @@ std::vector<Triangle> rib_side_of(const TrunkMesh& mesh) {
   return side;
 }
 
-std::vector<Triangle> side_of(const TrunkMesh& mesh, const std::vector<Triangle>& surface, double sign,
-                              double share) {
+std::vector<Triangle> side_of(const TrunkMesh& mesh, const std::vector<Triangle>& surface, double sign) {
   const auto x = [&](int i) { return mesh.rest[static_cast<std::size_t>(i)].x(); };
   double low = HUGE_VAL, high = -HUGE_VAL;
   for (const Triangle& t : surface)
@@ -59,10 +58,10 @@ std::vector<Triangle> side_of(const TrunkMesh& mesh, const std::vector<Triangle>
       low = std::min(low, x(i));
       high = std::max(high, x(i));
     }
-  const double middle = 0.5 * (low + high), least = share * 0.5 * (high - low);
+  const double middle = 0.5 * (low + high);
   std::vector<Triangle> side;
   std::copy_if(surface.begin(), surface.end(), std::back_inserter(side), [&](const Triangle& t) {
-    return sign * ((x(t[0]) + x(t[1]) + x(t[2])) / 3.0 - middle) > least;
+    return sign * ((x(t[0]) + x(t[1]) + x(t[2])) / 3.0 - middle) > 0.0;
   });
   return side;
 }

@@ -14,9 +14,8 @@ std::vector<Triangle> abdominal_wall_of(const TrunkMesh& mesh);
 /// Returns the zone of apposition and the lung's wall, which lie on the ribs.
 std::vector<Triangle> rib_side_of(const TrunkMesh& mesh);
 /// Returns the triangles on one side of the middle of their surface: at greater x if `sign` is positive, at
-/// smaller x if it is negative. Those in a strip beside the middle, `share` of half the width, are left out.
-std::vector<Triangle> side_of(const TrunkMesh& mesh, const std::vector<Triangle>& surface, double sign,
-                              double share);
+/// smaller x if it is negative.
+std::vector<Triangle> side_of(const TrunkMesh& mesh, const std::vector<Triangle>& surface, double sign);
 /// Returns a surface together with its mirror image at the plane of this x.
 MeasuredSurface with_mirror_image(const MeasuredSurface& half, double x);
 /// Returns everything that the skin covers: abdominal wall and ribs.

@@ -116,6 +116,31 @@ class Surfaces(TrunkTest):
                         outcome.json()
         self.assertGreater(refused, 10)
 
+    def test_damaged_files_of_more_layouts(self):
+        try:
+            import gzip
+            import numpy as np
+            import surface_files as files
+        except ImportError as missing:
+            self.skipTest(f"{missing}: apt install python3-numpy")
+        surface = np.array(POINTS), np.array(TRIANGLES)
+        chance = random.Random(11)
+        for good in (files.vtp(*surface, "binary", "vtkLZ4DataCompressor"), files.vtp(*surface, "raw", "vtkLZMADataCompressor"),
+                     files.vtp(*surface, "appended", grid=True), files.vtk(*surface, b"t", field=True, grid=True, binary=True),
+                     files.ply_strips(*surface), gzip.compress(files.stl(*surface))):
+            for _ in range(4):
+                bad = bytearray(good)
+                at = chance.randrange(chance.choice((400, len(bad))))
+                if chance.random() < 0.5:
+                    bad[at] = chance.randrange(256)
+                else:
+                    del bad[at:at + chance.choice((1, 4, 2000))]
+                self.file("bad", bytes(bad))
+                outcome = self.trunk("compare", "r.h5", "--surface", "bad", "--json")
+                self.assertIn(outcome.code, (0, 2), str(outcome))
+                if outcome.code == 2:
+                    self.assert_one_line(outcome)
+
     def test_bombs(self):
         vertices = "ply\nformat binary_little_endian 1.0\nelement vertex 3000000000\nproperty float x\nend_header\n"
         self.refused("compare", "r.h5", "--surface", self.file("bomb.ply", vertices), says="bomb.ply:3: '3000000000'")

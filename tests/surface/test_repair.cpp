@@ -271,6 +271,50 @@ TEST_CASE("The axes of a dome are found, whichever they are", "[unit][surface]")
   CHECK_THAT(guess->reasons, Contains("front and back cannot be told"));
 }
 
+TEST_CASE("Half a dome is known by its cut, and shows no axes", "[unit][surface][faults]") {
+  const MeasuredSurface whole = dome(12);
+  CHECK_FALSE(cut_of_half_dome(whole));
+  for (const double side : {1.0, -1.0}) {
+    MeasuredSurface half = whole;
+    std::erase_if(half.triangles, [&](const Triangle& t) {
+      double x = 0.0;
+      for (const int i : t) x += half.points[static_cast<std::size_t>(i)].x();
+      return side * x < 0.0;
+    });
+    repair(half);
+    const auto cut = cut_of_half_dome(half);
+    REQUIRE(cut);
+    CHECK(cut->measured_side == side);
+    CHECK(std::abs(cut->x) < 0.02);
+    CHECK_FALSE(guess_axes(half));
+  }
+}
+
+TEST_CASE("A small piece far away is left out, and a near one stays", "[unit][surface][faults]") {
+  for (const auto& [distance, islands] : {std::pair{0.4, 1u}, {0.13, 0u}}) {
+    MeasuredSurface near = measured(icosphere(0.015, 2));
+    for (Vec3d& p : near.points) p += Vec3d(distance, 0, 0);
+    MeasuredSurface s = joined(measured(icosphere(0.1, 3)), near);
+    const RepairReport report = repair(s);
+    CHECK(report.islands == islands);
+    CHECK(report.pieces == 2 - islands);
+    if (islands > 0) CHECK(report.island_distance == Approx(distance - 0.115).epsilon(0.05));
+  }
+}
+
+TEST_CASE("A shell of 8 mm is replaced by its middle", "[unit][surface][faults]") {
+  MeasuredSurface shell = joined(dome(20), dome(20, 0.008));
+  const RepairReport report = repair(shell);
+  CHECK(report.two_sided());
+  CHECK(report.sheet_thickness == Approx(0.008).epsilon(0.2));
+  const MeasuredSurface middle = dome(20, 0.004);
+  const ClosestPoints to(middle.points, middle.triangles);
+  std::vector<double> off;
+  for (const Vec3d& p : shell.points) off.push_back(to(p).distance);
+  std::nth_element(off.begin(), off.begin() + static_cast<std::ptrdiff_t>(off.size() / 2), off.end());
+  CHECK(off[off.size() / 2] < 0.001);
+}
+
 TEST_CASE("A moved surface is brought back", "[unit][surface]") {
   const MeasuredSurface still = dome(12);
   MeasuredSurface moved = still;
