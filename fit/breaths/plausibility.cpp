@@ -21,7 +21,7 @@ struct Range {
 
 constexpr Range period_s{0.8, 30, 4};
 constexpr Range tidal_volume_ml{30, 6000, 500};
-constexpr Range infant_volume_ml{3, 30, 15};
+constexpr Range infant_volume_ml{5, 30, 15};
 constexpr double infant_period_s = 2;  // longer breaths are slower than 30 a minute
 
 struct Unit {
@@ -74,7 +74,7 @@ void check_tidal_volume(const Trace& trace, double median_tidal_volume_m3, doubl
   const auto hint = flow ? better_unit(flow_units, "flow", trace.value_unit, found_ml, tidal_volume_ml)
                          : better_unit(volume_units, "volume", trace.value_unit, found_ml, tidal_volume_ml);
   throw InputError({trace.source}, "the median breath has a tidal volume of " + number_text(found_ml) + " ml",
-                   "30 to 6000 ml, or 3 ml and more in breaths under 2 s",
+                   "30 to 6000 ml, or 5 ml and more in breaths under 2 s",
                    hint.empty() ? "check the unit, the calibration and that the signal is breathing" : hint);
 }
 

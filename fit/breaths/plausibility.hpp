@@ -5,7 +5,7 @@
 namespace trunk {
 
 /// Throw InputError if the breaths of a trace are not those of a human: period 0.8 to 30 s, from panting to
-/// slow deep breathing; tidal volume 30 to 6000 ml, up to a vital capacity, and from 3 ml on in breaths
+/// slow deep breathing; tidal volume 30 to 6000 ml, up to a vital capacity, and from 5 ml on in breaths
 /// shorter than 2 s, as a newborn's (our choice: a slower small breath has a wrong unit). The remedy names
 /// the unit with which the number would make sense, if there is one.
 void check_period(const Trace& trace, double median_period_s);

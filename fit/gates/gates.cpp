@@ -75,7 +75,7 @@ std::optional<Gate> gain_mismatch(const TraceSigns& s) {
 // Returns the relative standard error of the tidal volume.
 double error_of_mismatch(const TraceSigns& s) {
   const double size = std::abs(s.gain_mismatch);
-  if (size <= least_mismatch || size >= offset_from) return 0;
+  if (size <= least_mismatch || size >= offset_from || s.mismatch_by_duration) return 0;
   return size * std::max(s.inspired_part, 1 - s.inspired_part) / normal_quantile;
 }
 

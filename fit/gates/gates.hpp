@@ -42,10 +42,9 @@ struct Screening {
 ///
 /// For 0.02 < |d| < 0.3 either volume may be the true one, and each breath is in between after its drift is
 /// removed: the share of inspiration in time, or of expiration, of d away. The larger of the two is taken as
-/// a 95 % limit of the tidal volume's relative error; a note says so. A larger d that grows with the duration
-/// of a breath is an offset of the flow. It is removed breath by breath and does no harm; a note says so. The
-/// limits are our choice: they separate the recordings and the constructed breaths of
-/// tests/fit/gates.
+/// a 95 % limit of the tidal volume's relative error; a note says so. If d grows with the duration of a
+/// breath, it is an offset of the flow, which is removed breath by breath and does no harm. The limits are
+/// our choice: they separate the recordings and the constructed breaths of tests/fit/gates.
 Screening screened(const TraceSigns& signs, std::optional<double> end_expiratory_m3);
 Screening screened(const Segmentation& segmentation, std::optional<double> end_expiratory_m3);
 

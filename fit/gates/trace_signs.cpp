@@ -30,11 +30,11 @@ double wander_m3(const KnotLine& rest) {
   return median(std::move(deviations));
 }
 
-// Returns whether in- less expired volume is a share of each breath's volume rather than one flow in all:
-// what is left of it is less than half as large.
-bool grows_with_size(const std::vector<Breath>& breaths) {
+// Says whether in- less expired volume is a share of each breath's volume, or one flow in all breaths: what
+// one of the two leaves of it is less than half of what the other leaves.
+void find_cause(const std::vector<Breath>& breaths, TraceSigns& signs) {
   constexpr std::size_t fewest = 5;
-  if (breaths.size() < fewest) return false;
+  if (breaths.size() < fewest) return;
   const auto left = [&](auto of) {
     double products = 0, squares = 0, rest = 0;
     for (const Breath& b : breaths)
@@ -45,8 +45,10 @@ bool grows_with_size(const std::vector<Breath>& breaths) {
     }
     return rest;
   };
-  return left([](const Breath& b) { return b.inspired_m3 + b.expired_m3; }) <
-         0.5 * left([](const Breath& b) { return b.duration_s(); });
+  const double by_size = left([](const Breath&b) { return b.inspired_m3 + b.expired_m3; }),
+               by_duration = left([](const Breath&b) { return b.duration_s(); });
+  signs.mismatch_by_size = by_size < 0.5 * by_duration;
+  signs.mismatch_by_duration = by_duration < 0.5 * by_size;
 }
 
 }  // namespace
@@ -58,7 +60,7 @@ TraceSigns trace_signs(const Segmentation& s) {
   signs.gain_mismatch = median_of(breaths, [](const Breath& b) {
     return 2 * (b.inspired_m3 - b.expired_m3) / (b.inspired_m3 + b.expired_m3);
   });
-  signs.mismatch_by_size = grows_with_size(breaths);
+  find_cause(breaths, signs);
   signs.tidal_volume_m3 = median_of(breaths, [](const Breath& b) { return b.tidal_volume_m3; });
   signs.inspiration_s = median_of(breaths, [](const Breath& b) { return b.inspiration_s(); });
   signs.inspired_part =

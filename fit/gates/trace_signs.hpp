@@ -12,8 +12,9 @@ struct TraceSigns {
   /// Inspired less expired volume over their mean, before any drift is removed: a gain that differs with the
   /// direction of flow, or an offset.
   double gain_mismatch = 0;
-  /// It grows with the size of a breath rather than with its duration. False for fewer than 5 breaths.
-  bool mismatch_by_size = false;
+  /// It grows with the size of a breath rather than with its duration, or the other way round. Both are false
+  /// for fewer than 5 breaths, and where breaths do not show it.
+  bool mismatch_by_size = false, mismatch_by_duration = false;
   /// Standard deviation of the end-expiratory level over VT after a line is removed: the median over blocks
   /// of at most 60 breaths (our choice), since an integrated flow strays over hours and no breath notices.
   double wander = 0;

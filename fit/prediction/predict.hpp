@@ -2,8 +2,8 @@
 
 #include <utility>
 
-#include "problem/trunk_model.hpp"
 #include "prediction/predicted.hpp"
+#include "problem/trunk_model.hpp"
 #include "scenarios/read_scenario.hpp"
 
 namespace trunk {

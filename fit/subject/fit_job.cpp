@@ -69,6 +69,16 @@ void adopt_intervals(const FitResults& results, Estimation& e) {
   adopt(e.uncertainty->ratio, "k_muscle_over_k_elasticity");
 }
 
+/// What was measured stands in the place of what the model says.
+void put_measured(FitResult measured, std::vector<FitResult>& results) {
+  const auto same = std::find_if(results.begin(), results.end(),
+                                 [&](const FitResult& r) { return r.name == measured.name; });
+  if (same == results.end())
+    results.push_back(std::move(measured));
+  else
+    *same = std::move(measured);
+}
+
 /// The fitted scenario in full: it needs no other file.
 void save_scenario(const FitRequest& request, const Scenario& scenario) {
   const std::string text = fmt::format("# {} with the parameters of {}, written by trunk fit\n{}",
@@ -170,7 +180,7 @@ FitOutcome FitJob::carry_out() {
   adopt_intervals(outcome.results, e);
   if (const auto& breath = fit_->measurement().breath)
     outcome.clinic = clinic_numbers(*breath, request_.clinic);
-  for (FitResult& r : clinic_results(outcome.clinic)) outcome.results.results.push_back(std::move(r));
+  for (FitResult& r : clinic_results(outcome.clinic)) put_measured(std::move(r), outcome.results.results);
   if (outcome.results.posterior && !gated)
     outcome.draws =
         posterior_draws(*outcome.results.posterior, fit_->space(), static_cast<std::size_t>(request_.draws),

@@ -21,14 +21,19 @@ namespace {
 
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 
+/// Returns the measures that a row may have. Without a lung it has fewer of them, and those come first.
+std::vector<NamedValue> most_measures() {
+  BreathSummary with_lung;
+  with_lung.swings.emplace();
+  return measures_of(with_lung);
+}
+
 /// Returns empty columns: the parameters, then the measures.
 std::vector<NamedColumn> columns_for(const SweepDesign& design) {
   std::vector<NamedColumn> columns;
   for (const SweepDesign::Axis* axis : design.axes())
     columns.push_back({axis->key, unit_of_key(axis->key), {}});
-  BreathSummary with_lung;
-  with_lung.swings.emplace();
-  for (const NamedValue& m : measures_of(with_lung)) columns.push_back({m.name, m.unit, {}});
+  for (const NamedValue& m : most_measures()) columns.push_back({m.name, m.unit, {}});
   for (NamedColumn& c : columns) c.values.assign(design.runs(), no_number);
   return columns;
 }
@@ -53,7 +58,7 @@ SweepRecord empty_table(const SweepDesign& design) {
 /// Adds the columns of intervals, once a row has some: then a subject is a fit that keeps draws.
 void add_interval_columns(const SweepDesign& design, SweepRecord& table) {
   std::vector<Predicted> numbers;
-  for (const NamedValue& m : measures_of(BreathSummary())) numbers.push_back({m.name, m.unit});
+  for (const NamedValue& m : most_measures()) numbers.push_back({m.name, m.unit});
   for (const NamedValue& end : intervals_of(numbers, 0))
     table.columns.push_back({end.name, end.unit, std::vector<double>(design.runs(), no_number)});
 }
@@ -63,21 +68,32 @@ void enter(const SweepRow& row, std::size_t first_measure, SweepRecord& table) {
   table.status[run] = row.status;
   table.error[run] = row.error;
   table.run_file[run] = row.has_file ? SweepFolder::run_file_name(run) : "";
-  const bool completed = row.status == "completed";
-  std::vector<double> numbers = row.measures;
-  numbers.insert(numbers.end(), row.intervals.begin(), row.intervals.end());
-  for (std::size_t m = 0; first_measure + m < table.columns.size(); ++m)
-    table.columns[first_measure + m].values[run] = completed && m < numbers.size() ? numbers[m] : no_number;
+  for (std::size_t c = first_measure; c < table.columns.size(); ++c) table.columns[c].values[run] = no_number;
+  if (row.status != "completed") return;
+  const auto put = [&](std::size_t column, double value) { table.columns[column].values[run] = value; };
+  for (std::size_t m = 0; m < row.measures.size(); ++m) put(first_measure + m, row.measures[m]);
+  if (row.intervals.empty()) return;
+  const std::size_t ends = first_measure + most_measures().size();
+  for (std::size_t k = 0; k + 1 < row.intervals.size(); ++k) put(ends + k, row.intervals[k]);
+  put(table.columns.size() - 1, row.intervals.back());  // failed draws
 }
 
 /// Removes the columns of what only a lung has if no run has one.
-void drop_lung(std::size_t parameters, SweepRecord& table) {
-  const std::size_t without = parameters + measures_of(BreathSummary()).size();
-  const auto unknown = [](const NamedColumn& c) {
-    return std::none_of(c.values.begin(), c.values.end(), [](double v) { return std::isfinite(v); });
+void drop_lung(SweepRecord& table) {
+  const auto lungs = [measures = most_measures()](const NamedColumn& c) {
+    const auto of_lung = [&](const NamedValue& m) {
+      return c.name == m.name || c.name.starts_with(m.name + "_lower95") ||
+             c.name.starts_with(m.name + "_upper95");
+    };
+    return std::any_of(measures.begin() + static_cast<std::ptrdiff_t>(measures_of(BreathSummary()).size()),
+                       measures.end(), of_lung);
   };
-  const auto first = table.columns.begin() + static_cast<std::ptrdiff_t>(without);
-  if (std::all_of(first, table.columns.end(), unknown)) table.columns.erase(first, table.columns.end());
+  const auto known = [](const NamedColumn& c) {
+    return std::any_of(c.values.begin(), c.values.end(), [](double v) { return std::isfinite(v); });
+  };
+  if (std::none_of(table.columns.begin(), table.columns.end(),
+                   [&](const NamedColumn& c) { return lungs(c) && known(c); }))
+    std::erase_if(table.columns, lungs);
 }
 
 /// Fills in the curves. As in the other columns, the last row visited of a run counts. => curves
@@ -123,7 +139,7 @@ TableOutcome write_table(const SweepDesign& design, const SweepFolder& folder, c
     enter(row, parameters, table);
     samples[row.run] = row.curve.size();
   });
-  drop_lung(parameters, table);
+  drop_lung(table);
   const std::size_t longest = *std::max_element(samples.begin(), samples.end());
   for (std::size_t i = 0; i < longest; ++i)
     table.curve_time_s.push_back(static_cast<double>(i) * curve_step_s);

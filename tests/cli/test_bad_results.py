@@ -201,7 +201,7 @@ class FitFiles(TrunkTest):
         self.assertEqual(self.succeeds("inspect", "g.h5")["parameters"]["k_elasticity"]["value"],
                          kept["parameters"]["k_elasticity"]["value"])
         outcome = self.trunk("simulate", HEALTHY, "--from", "x.h5", "-o", "r.h5", *FAST_FIT)
-        self.assertRegex(outcome.err, "note: x.h5 keeps no draws of its parameters, so no number here has an interval;")
+        self.assertRegex(outcome.err, "note: x.h5 keeps no draws of its parameters, so no number here has an interval of the fit;")
         self.assertNotIn("delta_v_ml_lower95", self.succeeds("simulate", HEALTHY, "--from", "x.h5", "-o", "r.h5", "--force", *FAST_FIT))
 
     def refused_by_readers(self, says):

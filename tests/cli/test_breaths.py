@@ -68,7 +68,9 @@ class Synthetic(TrunkTest):
         self.file("t.csv", csv(times, [v + 30 * t for t, v in zip(times, volumes)]))
         outcome = self.trunk("breaths", "t.csv", "--json")
         self.assertEqual(outcome.code, 0, str(outcome))
-        self.assertRegex(outcome.err, r"\Anote: a drift of 45 ml a breath was removed\n\Z")
+        # Breaths that are all alike do not show whether a drift or the flowmeter makes the difference.
+        self.assertRegex(outcome.err, r"\Anote: a drift of 45 ml a breath was removed\n"
+                                      r"note: in- and expired volumes differ by 9.* one direction too high\n\Z")
         self.assertAlmostEqual(outcome.json()["tidal_volume_ml"], 500, delta=5)
 
     def test_a_sigh_is_rejected_with_its_reason(self):

@@ -107,6 +107,9 @@ TEST_CASE("Every limit of a gate separates", "[unit][gates]") {
     CHECK(screened(signs, adult_m3).tidal_volume_error == Approx(0.19 * 0.6 / 1.96));
     CHECK_THAT(screened(signs, adult_m3).notes.at(0), Contains("differ by 19.0 %") && Contains("to 11.4 %"));
     CHECK(only_gate(signs) == "0 gates");
+    signs.mismatch_by_duration = true;  // an offset of the flow, which is removed
+    CHECK(screened(signs, adult_m3).tidal_volume_error == 0);
+    signs.mismatch_by_duration = false;
     signs.gain_mismatch *= 2;
     CHECK(screened(signs, adult_m3).tidal_volume_error == 0);
     CHECK_THAT(screened(signs, adult_m3).notes.at(0), Contains("offset"));

@@ -1,6 +1,7 @@
 #include <set>
 
 #include "errors/input_error.hpp"
+#include "math/units.hpp"
 #include "problem/search_space.hpp"
 #include "scenarios/keys.hpp"
 #include "support/catch.hpp"
@@ -10,7 +11,10 @@ using namespace trunk;
 namespace {
 
 Candidate healthy() {
-  return {{4000.0, 28.0, 20.0, 0.8}, {}};
+  Candidate c{{4000.0, 28.0, 20.0, 0.8}, {}};
+  c.parameters.lung_elastance = 5.0 * Pa_per_cmH2O / m3_per_litre;
+  c.parameters.resistance = 2.5 * Pa_per_cmH2O / m3_per_litre;
+  return c;
 }
 
 }  // namespace
