@@ -52,6 +52,8 @@ struct TrunkAsCompartment {
   double abdominal_elastance(const Parameters<double>& p) const {
     return abdominal * p.elasticity * wall.of(wall.abdominal, p);
   }
+  /// Returns whether the airway drives the breath, and not a muscle alone.
+  bool airway_drives() const { return airway_pressure.events().size() > 1; }
   /// Returns the volume that full activation holds, per k_muscle / k_elasticity, m3.
   double held(const Parameters<double>& p) const {
     return tissue_share(p) * held_m3 * (wall.of(wall.gain, p) / wall.of(wall.elastance, p));

@@ -109,7 +109,7 @@ std::vector<LocalSearch> compartment_searches(const CompartmentFit& fit, const C
   std::vector<LocalSearch> searches;
   std::vector<Eigen::VectorXd> ends;
   for (const Eigen::VectorXd& start :
-       starts_of(objective, free, fit.starts, fit.seed, !fit.compartment.airway_pressure.empty())) {
+       starts_of(objective, free, fit.starts, fit.seed, fit.compartment.airway_drives())) {
     SearchResult found{true, start, problem.at(start).objective, "", 1};
     if (!free.empty()) found = searched(start, rough);
     searches.push_back({space.decode(start), space.decode(found.best), found.objective, found.converged});

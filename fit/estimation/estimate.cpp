@@ -53,7 +53,8 @@ void add_uncertainty(const FitProblem& problem, Objective& compartment, const Es
     const Eigen::VectorXd deviation = e.local->covariance.diagonal().cwiseSqrt();
     // Simulations repeat to about 1e-4 of the tidal volume. Where several observables weigh that much, the
     // flattest direction is known to half a standard error only.
-    const double part = compartment.blocks().size() > 1 ? 0.5 : 0.1;
+    const bool several = compartment.blocks().size() > 1 || problem.compartment.airway_drives();
+    const double part = several ? 0.5 : 0.1;
     const Eigen::VectorXd allowed = part * deviation(mechanical_asked_for(problem.space));
     e.cross_check->agree = (e.cross_check->difference.cwiseAbs().array() <= allowed.array()).all();
   }

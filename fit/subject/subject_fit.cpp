@@ -59,21 +59,26 @@ bool is_shape(const std::string& name) {
   return free_parameter(name).group == FreeParameter::Group::shape;
 }
 
-/// Returns whether the pressure of the airway is a part of the model, so that a machine may breathe.
-bool explained_by_airway(const Measurement& measurement) {
-  return measurement.breath && measurement.breath->channel(ChannelKind::airway) != nullptr;
+/// Returns whether the pressure of the airway changes in the course of a breath, so that a machine may
+/// breathe.
+bool driven_by_airway(const Scenario& scenario) {
+  return scenario.lung_acts && scenario.pleura.airway_pressure.events().size() > 1;
 }
 
 bool is_machine(const Gate& gate) {
   return gate.name == "machine_driven";
 }
 
-/// Returns the course of a pressure over a breath that repeats: it ends as it begins.
-PiecewiseLinear repeating(const std::vector<double>& time_s, std::vector<double> value) {
+/// Returns the course of a measured pressure over a breath that repeats: it ends as it begins. It is above
+/// that of the room, so the level at end-expiration is a part of it.
+PiecewiseLinear repeating(const std::vector<double>& time_s, const MeasuredChannel& channel) {
+  std::vector<double> value = channel.value;
   value.front() = value.back() = 0.5 * (value.front() + value.back());
   std::vector<PiecewiseLinear::Event> events;
-  for (std::size_t i = 0; i < value.size(); ++i) events.push_back({time_s[i], value[i]});
-  return PiecewiseLinear(std::move(events), value.front());
+  for (std::size_t i = 0; i < value.size(); ++i)
+    events.push_back({time_s[i], value[i] + channel.end_expiratory});
+  const double before = events.front().value;
+  return PiecewiseLinear(std::move(events), before);
 }
 
 bool tells_force(const MeasuredObservable& o) {
@@ -118,7 +123,7 @@ SubjectFit::SubjectFit(ScenarioFile file, Measurement measurement, FitPlan plan)
   screening_.gates = seen_in_trace.gates;
   screening_.tidal_volume_error = seen_in_trace.tidal_volume_error;
   screening_.notes.insert(screening_.notes.end(), seen_in_trace.notes.begin(), seen_in_trace.notes.end());
-  if (explained_by_airway(measurement_)) std::erase_if(screening_.gates, is_machine);
+  if (driven_by_airway(file_.scenario)) std::erase_if(screening_.gates, is_machine);
   if (measurement_.breath) begin_with_compartment(draft);
   choose_step();
   if (measurement_.breath) calibrate_compartment(draft);
@@ -134,7 +139,7 @@ void SubjectFit::give_lung() {
   const MeasuredChannel* airway = breath.channel(ChannelKind::airway);
   const bool needed = airway != nullptr || breath.channel(ChannelKind::pleural) != nullptr ||
                       breath.channel(ChannelKind::transdiaphragmatic) != nullptr;
-  if (airway != nullptr) s.pleura.airway_pressure = repeating(breath.time_s, airway->value);
+  if (airway != nullptr) s.pleura.airway_pressure = repeating(breath.time_s, *airway);
   if (!needed || s.lung_acts) return;
   s.lung_acts = true;
   for (const ScalePrior& prior : scale_priors(s.parameters, true)) {
@@ -180,7 +185,7 @@ void SubjectFit::take_scale(Draft& draft) {
 /// airway pressure drives the breath, and the abdominal elastance.
 Knowledge SubjectFit::knowledge_of(bool shaped) const {
   Knowledge known;
-  if (shaped && !explained_by_airway(measurement_)) {
+  if (shaped && !driven_by_airway(file_.scenario)) {
     const ExpiredEnergy energy = expired_energy(*measurement_.breath);
     known.push_back({"energy of expiration", [energy, this](const Candidate& c) {
                        return energy_residual(energy, std::log(compartment_.recoil_time_s(c.parameters))).z;
@@ -258,7 +263,7 @@ void SubjectFit::begin_with_compartment(const Draft& draft) {
                       std::any_of(draft.names.begin(), draft.names.end(), is_shape);
   if (draft.has("k_elasticity")) knowledge_ = knowledge_of(shaped);
   fit.knowledge = knowledge_;
-  if (shaped && draft.has("k_elasticity") && !explained_by_airway(measurement_)) {
+  if (shaped && draft.has("k_elasticity") && !driven_by_airway(file_.scenario)) {
     fit.recoil_s = usable_recoil_s(recoil_time(*measurement_.breath));
     straight_ = straight_activation(fit, begin, measurement_.breath->each_m3);
   }
@@ -290,7 +295,7 @@ void SubjectFit::calibrate_compartment(const Draft& draft) {
   const VolumeCurve curve = simulate_volume(trunk_, p, scenario.activation, scenario.time);
   if (!curve.ending.completed()) return;
   if (!measured_curve_.beside.empty()) calibrate(begin, curve, scenario.time, compartment_);
-  if (!compartment_.airway_pressure.empty()) return;  // a breath that no muscle drives shows no gain
+  if (driven_by_airway(file_.scenario)) return;  // a breath that no muscle drives shows no gain
   const Eigen::VectorXd seen = sampled(curve.delta_v, scenario.time.dt_s, measured_curve_.time_s);
   const MeasuredCurve breath{measured_curve_.time_s, {seen.data(), seen.data() + seen.size()}, {}, {}};
   // A timing that is fitted takes up a part of what the compartment misses, so it moves here too.
@@ -323,7 +328,7 @@ FitResults SubjectFit::results(const Estimation& e) const {
   const FitProblem asked = problem();
   return assess_fit({asked, e, measurement_.breath ? &*measurement_.breath : nullptr, screening_.gates,
                      screening_.tidal_volume_error, plan_.straight, scale_.empty() && !knowledge_.empty(),
-                     straight_, searches_, scale_, explained_by_airway(measurement_)});
+                     straight_, searches_, scale_, driven_by_airway(file_.scenario)});
 }
 
 std::string SubjectFit::problem_text() const {

@@ -379,7 +379,7 @@ class Assessment {
                    },
                    false),
                true);
-    above.lower95 = std::max(above.lower95, 0.0);
+    if (!in_.airway_driven) above.lower95 = std::max(above.lower95, 0.0);
     above.assumption = course_assumption(in_);
     if (in_.scale.empty())
       set_reason(above, course_reason(in_, recoil_));

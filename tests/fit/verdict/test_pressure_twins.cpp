@@ -43,9 +43,9 @@ struct PressureTwin {
     p.lung_elastance = 5.0 / per_unit * std::pow(1.5, random.normal());
     p.resistance = 2.5 / per_unit * std::pow(1.5, random.normal());
     trunk = make_trunk(scenario);
-    Parameters<double> at_rest = p;
-    at_rest.elasticity = 50.0 * p.damping;
-    const Recoil recoil = measure_recoil(trunk.model, at_rest);
+    Parameters<double> resting = p;
+    resting.elasticity = 50.0 * p.damping;
+    const Recoil recoil = measure_recoil(trunk.model, resting);
     abdominal = 7.0 * std::pow(1.4, random.normal());
     p.elasticity = abdominal / per_unit / recoil.abdominal;
     respiratory = per_unit * (recoil.elastance * p.elasticity + p.lung_elastance);
@@ -148,6 +148,60 @@ int pressure_repeats() {
 }
 
 }  // namespace
+
+TEST_CASE("Breaths of a ventilator need no muscle once the pressure of the airway is known",
+          "[property][slow]") {
+  Scenario s = quiet_twin();
+  s.time.duration_s = 3.5;
+  s.time.dt_s = 2e-3;
+  s.parameters.muscle = 0.0;
+  const double top_Pa = 14.0 * Pa_per_cmH2O, peep_Pa = 5.0 * Pa_per_cmH2O;
+  s.pleura.airway_pressure = PiecewiseLinear(
+      {{0.0, peep_Pa}, {0.08, top_Pa}, {1.2, top_Pa}, {1.3, peep_Pa}, {3.5, peep_Pa}}, peep_Pa);
+  const Trunk trunk = make_trunk(s);
+  const VolumeCurve breath = simulate_volume(trunk, s.parameters, s.activation, s.time);
+  REQUIRE(breath.ending.completed());
+  test::Random random(71);
+  Trace trace;
+  trace.source = "ventilator.csv";
+  trace.value_unit = "m3";
+  trace.channels = {{ChannelKind::airway, "paw", "Pa", {}}};
+  for (double t = 0.0; t < 13 * s.time.duration_s; t += 0.02) {
+    const double at_s = std::fmod(t, s.time.duration_s);
+    trace.time_s.push_back(t);
+    trace.value.push_back(sampled(breath.delta_v, s.time.dt_s, {at_s})[0] + 3e-6 * random.normal());
+    trace.channels[0].value.push_back(s.pleura.airway_pressure(at_s) + 10.0 * random.normal());
+  }
+  const Segmentation segmentation = segment_breaths(trace);
+  ScenarioFile file;
+  file.scenario = quiet_twin();
+  FitPlan plan;
+  plan.estimation.profiles = false;
+  plan.estimation.surface_points = 0;
+  plan.estimation.execution.threads = 1;
+  const SubjectFit fit(file, {mean_breath(segmentation), 0.0, trace_signs(segmentation)}, plan);
+  CHECK(std::none_of(fit.screening().gates.begin(), fit.screening().gates.end(),
+                     [](const Gate& gate) { return gate.name == "machine_driven"; }));
+  Ledger ledger;
+  const Estimation e = fit.carry_out(ledger);
+  const FitResults results = fit.results(e);
+  const FitResult &muscle = *results.find("k_muscle"),
+                  &respiratory = *results.find("respiratory_elastance_cmH2O_per_L");
+  Parameters<double> resting = s.parameters;
+  resting.elasticity = 50.0 * resting.damping;
+  const Recoil recoil = measure_recoil(trunk.model, resting);
+  const double truth = per_unit * (recoil.elastance * s.parameters.elasticity + s.parameters.lung_elastance);
+  CAPTURE(muscle.value, muscle.lower95, muscle.upper95, respiratory.value, respiratory.lower95,
+          respiratory.upper95, truth, e.quality.nrmse, e.simulations, e.search.stop_reason);
+  const FitResult& above = *results.find("end_expiratory_above_relaxation_ml");
+  CHECK(above.value == Approx(ml_per_m3 * breath.above_relaxation).epsilon(0.15));  // that the PEEP holds
+  CHECK(e.cross_check->agree);
+  CHECK(muscle.lower95 == 0.0);
+  CHECK(muscle.upper95 < 0.3 * 19.2);  // of what a quiet breath takes
+  CHECK(respiratory.lower95 <= truth);
+  CHECK(truth <= respiratory.upper95);
+  CHECK(respiratory.value == Approx(truth).epsilon(0.1));
+}
 
 TEST_CASE("Pressures beside the volume give the forces of a twin: a slice", "[property][slow]") {
   for (const Recovered& r : pressure_study(true, 2)) {
