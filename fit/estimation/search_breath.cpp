@@ -63,11 +63,12 @@ class BreathSearch {
   }
 
   /// Gives each observable beside the volume the noise that it has (REML), and searches again. A curve counts
-  /// as its effective number of independent samples, n (1 - rho) / (1 + rho), and its noise as at least 0.5 %
-  /// of its range in 20 independent samples (our choice: no model is better).
+  /// as its effective number of independent samples, n (1 - rho) / (1 + rho), at least 10 (our choice: what a
+  /// fit does not follow yet looks like noise that is one sample), and its noise as at least 0.5 % of its
+  /// range in 20 independent samples (our choice: no model is better).
   void weigh() {
     constexpr int rounds = 2;
-    constexpr double least_share = 0.005, independent_samples = 20.0;
+    constexpr double least_share = 0.005, independent_samples = 20.0, fewest = 10.0;
     for (int round = 0; round < rounds; ++round) {
       const auto rows = jacobian(compartment_.problem(), e_.search.best);
       const auto values = trunk_.model(e_.search.best);
@@ -82,7 +83,9 @@ class BreathSearch {
         const auto count = static_cast<double>(block.count);
         const double least =
             least_share * (course.maxCoeff() - course.minCoeff()) * std::sqrt(count / independent_samples);
-        const double found = now * noise.deviation * std::sqrt((1.0 + noise.rho) / (1.0 - noise.rho));
+        const double independent = std::max(count * (1.0 - noise.rho) / (1.0 + noise.rho), fewest);
+        const double found = now * std::min(noise.deviation * std::sqrt(count / independent),
+                                            noise.white_deviation * std::sqrt(count / fewest));
         deviations.push_back(block.count == 1 ? now : std::max(found, least));
       }
       trunk_.reweigh(deviations);

@@ -9,6 +9,7 @@ namespace trunk {
 
 namespace {
 
+constexpr double emg_range = 0.4;  // of the activation: an EMG is followed from the start
 constexpr double first_share = 0.05, independent_samples = 20.0, excursion_error_m = 2e-3;
 
 /// Returns the largest change of a course in time.
@@ -28,7 +29,7 @@ MeasuredCurve measured_curve_of(const MeasuredBreath& breath, bool weighted) {
     if (channel.kind == ChannelKind::airway) continue;  // it drives the model
     if (channel.kind == ChannelKind::transdiaphragmatic && has_both) continue;
     const auto n = static_cast<double>(channel.value.size());
-    const double range = channel.kind == ChannelKind::emg ? 1.0 : range_of(channel.value);
+    const double range = channel.kind == ChannelKind::emg ? emg_range : range_of(channel.value);
     measured.beside.push_back({channel.kind, channel.value,
                                first_share * range * std::sqrt(std::max(1.0, n / independent_samples))});
   }

@@ -59,8 +59,8 @@ std::string scale_lines(const SubjectFit& fit, const FitOutcome& outcome) {
   if (fit.scale().empty()) return "";
   std::string text;
   for (const ObservableNoise& o : observable_noises(fit.measured_curve(), outcome.estimation))
-    text += fmt::format("  {}: noise {:.2g} {}, as {:.0f} independent samples\n", o.name, o.noise, o.unit,
-                        o.effective_samples);
+    text += fmt::format("  {}: noise {:.2g} {}, as {:.0f} independent samples\n", o.name, o.noise,
+                        o.unit == "1" ? "of full activation" : o.unit, o.effective_samples);
   for (const ScalePrior& p : fit.scale())
     text += fmt::format("  prior of {}: {:.3g} {}, factor {:.3g}; {}\n", p.name, p.mean,
                         p.unit == "1" ? "" : p.unit, p.factor, p.source);
