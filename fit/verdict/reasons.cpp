@@ -115,8 +115,8 @@ std::string grade_of_shares(const FitEvidence& in, const FitResult& r) {
   const double size = std::abs(r.value);
   const bool narrow = r.upper95 - r.value <= widest * size && r.value - r.lower95 <= widest * size;
   const bool alone = prior_part(r.shares) <= most_of_priors;
-  if (alone && narrow && in.breath && in.breath->breaths_used >= 5) return "";
-  std::string text;
+  if (alone && narrow && !in.straight && in.breath && in.breath->breaths_used >= 5) return "";
+  std::string text = in.straight ? "the activation is made of straight lines" : "";
   for (const Share& s : r.shares) {
     if (s.measured || s.part < worth_a_word) continue;
     text += (text.empty() ? "" : "; ") + assumption_behind(s.source);

@@ -25,7 +25,8 @@ bool pressure_measured(const FitEvidence& evidence);
 
 /// Returns what the interval of a result stands on where forces count: the priors and the assumptions that
 /// have 5 % or more of its information. It is "" if they have 10 % or less together, the breaths are five or
-/// more, and the interval is within a quarter: the recording alone determines the result then (our choice).
+/// more, no straight lines are assumed, and the interval is within a quarter: the recording alone determines
+/// the result then (our choice).
 std::string grade_of_shares(const FitEvidence& evidence, const FitResult& result);
 
 /// Returns why nothing is determined where forces count; "" if nothing speaks against it.
