@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -45,21 +46,39 @@ std::string advice(const FitResults& results) {
   return " A measured pressure would replace the assumption.";
 }
 
+/// Returns the name of a result without its unit and in words; parameters keep their names.
+std::string in_words(std::string name) {
+  for (const std::string_view unit : {"_cmH2O_per_L", "_cmH2O_s_per_L", "_cmH2O", "_mm", "_ml", "_s"})
+    if (name.ends_with(unit)) {
+      name.erase(name.size() - unit.size());
+      break;
+    }
+  if (!name.starts_with("k_")) std::replace(name.begin(), name.end(), '_', ' ');
+  return name;
+}
+
+/// Returns names as a list in a sentence: a, b and c.
+std::string listed(const std::vector<std::string>& names) {
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    text += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
+  return text;
+}
+
 /// Returns which of the headline results the recording determines, and what the others stand on.
 std::string sentence_of_forces(const FitResults& results) {
-  std::string determined, assumed, reason;
+  std::vector<std::string> determined, assumed;
   for (const std::string& name : results.headline) {
     const FitResult& r = *results.find(name);
-    if (r.grade == Grade::not_determined) reason = r.reason;
-    std::string& list = r.grade == Grade::determined ? determined : assumed;
-    if (r.grade <= Grade::assumption) list += (list.empty() ? "" : ", ") + name;
+    if (r.grade == Grade::not_determined)
+      return fmt::format("This recording determines nothing: {}.", r.reason);
+    (r.grade == Grade::determined ? determined : assumed).push_back(in_words(name));
   }
-  if (!reason.empty()) return fmt::format("This recording determines nothing: {}.", reason);
   std::string text;
-  if (!determined.empty()) text = fmt::format("This recording determines {}.", determined);
+  if (!determined.empty()) text = fmt::format("This recording determines {}.", listed(determined));
   if (assumed.empty()) return text;
-  return text + fmt::format("{}The interval of {} holds if what stands beside it holds.",
-                            text.empty() ? "" : " ", assumed);
+  return text + fmt::format("{}The intervals of {} rest on the assumptions that stand with them.",
+                            text.empty() ? "" : " ", listed(assumed));
 }
 
 /// Returns assumptions, which semicolons separate, as one clause.
