@@ -21,8 +21,11 @@ std::vector<Curve> remainders(const Segmentation& s, const Curve& signal, const 
     const Breath& breath = mean.used[b];
     Curve times, piece;
     for (const double t : mean.time_s) times.push_back(time_in(breath, mean, t));
-    for (double t = breath.onset_s; t < breath.end_s; t += beat_step_s)
+    const auto samples = static_cast<std::size_t>(breath.duration_s() / beat_step_s);
+    for (std::size_t i = 0; i <= samples; ++i) {
+      const double t = breath.onset_s + static_cast<double>(i) * beat_step_s;
       piece.push_back(interpolated(s.time_s, signal, t) - interpolated(times, channel.value, t));
+    }
     const Curve slow = moving_average(piece, static_cast<std::size_t>(longest_beat_s / beat_step_s) | 1);
     for (std::size_t i = 0; i < piece.size(); ++i) piece[i] -= slow[i];
     pieces.push_back(std::move(piece));

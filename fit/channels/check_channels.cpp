@@ -40,7 +40,7 @@ std::string_view better_unit(double swing_cmH2O, std::string_view unit) {
   const auto from = std::find_if(pressure_units.begin(), pressure_units.end(),
                                  [&](const PressureUnit& u) { return u.name == unit; });
   if (from == pressure_units.end()) return "";
-  std::string_view best = "";
+  std::string_view best;
   double distance = std::log(10.0);  // a factor of 10 from the usual one
   for (const PressureUnit& u : pressure_units) {
     const double d = std::abs(std::log(swing_cmH2O * u.Pa / from->Pa / usual_swing_cmH2O));

@@ -101,7 +101,7 @@ class Prediction(TrunkTest):
     def test_interval_is_that_of_k_muscle_where_nothing_else_is_uncertain(self):
         self.file("t.csv", noisy(10))
         fit = self.succeeds("fit", HEALTHY, "--trace", "t.csv", "-o", "f.h5", "--predict", PARALYSED, "--draws", "1000",
-                            *ONE, codes=FITTED)
+                            "--no-structural", *ONE, codes=FITTED)
         muscle, p = fit["parameters"]["k_muscle"], fit["predictions"]["hemiparalysis_right"]
         with h5py.File(self.folder / "f.h5") as file:
             duration = file["best_run/curves/time"][-1]  # not quite 1.5 s

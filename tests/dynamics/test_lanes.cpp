@@ -97,7 +97,7 @@ std::vector<Trial<double>> four_trials(const Scenario& scenario) {
 
 }  // namespace
 
-TEST_CASE("Every lane has the bits of its trial alone", "[property][dynamics]") {
+TEST_CASE("Every lane has the bits of its trial alone", "[property][dynamics][long]") {
   for (const char* name : {"healthy", "published_healthy", "hemiparalysis_right"}) {
     Scenario scenario = shipped(name);
     scenario.activation.rise_s = 0.15;  // so that much moves, and supports come and go, in few steps
@@ -110,7 +110,7 @@ TEST_CASE("Every lane has the bits of its trial alone", "[property][dynamics]") 
       check_lanes(make_trunk(scenario).model, four_trials(scenario), {1e-3, 0.2, damping});
 }
 
-TEST_CASE("Lanes that begin at different times have the bits of their trials alone", "[property][dynamics]") {
+TEST_CASE("Lanes that begin at different times have the bits of their trials alone", "[property][dynamics][long]") {
   for (const char* name : {"healthy", "hemiparalysis_right", "bucket_handle"}) {
     Scenario scenario = shipped(name);
     scenario.time = {2e-3, 0.4, Damping::implicit, Start::periodic};

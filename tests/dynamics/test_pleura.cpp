@@ -99,7 +99,7 @@ Account account_of(const Scenario& s, int first, int last) {
 
 }  // namespace
 
-TEST_CASE("The pleural pressure acts along the gradient of the lung volume", "[property][forces]") {
+TEST_CASE("The pleural pressure acts along the gradient of the lung volume", "[property][forces][long]") {
   Scenario finer = breathing_air();
   finer.geometry.resolution = 2;
   for (const Scenario& s :
@@ -199,7 +199,7 @@ TEST_CASE("Every step obeys the law of lung and airway, and both constraints", "
       }
 }
 
-TEST_CASE("A healthy breath with a lung has the pressures that clinics measure", "[property][dynamics]") {
+TEST_CASE("A healthy breath with a lung has the pressures that clinics measure", "[property][dynamics][long]") {
   Scenario s = breathing_air();
   s.time.damping = Damping::implicit;
   const BreathRun run = run_breath(make_trunk(s), s, 0);
@@ -255,7 +255,7 @@ TEST_CASE("The volume lags behind the muscle by the recoil time", "[property][dy
   }
 }
 
-TEST_CASE("A pressure in the airway inflates a trunk whose muscle rests", "[property][dynamics]") {
+TEST_CASE("A pressure in the airway inflates a trunk whose muscle rests", "[property][dynamics][long]") {
   Scenario s = breathing_air();
   s.parameters.muscle = 0.0;
   s.time = {2e-3, 6.0};
@@ -272,7 +272,7 @@ TEST_CASE("A pressure in the airway inflates a trunk whose muscle rests", "[prop
   CHECK(run.delta_v.back() == Approx(10.0 * cmH2O / elastance).epsilon(0.04));
 }
 
-TEST_CASE("The energy of a breath with lung and airway closes", "[property][dynamics]") {
+TEST_CASE("The energy of a breath with lung and airway closes", "[property][dynamics][long]") {
   Scenario s = breathing_air();
   s.time.start = Start::rest;
   s.pleura.tube_resistance = 2.0 * cmH2O_per_L;
