@@ -100,7 +100,7 @@ class Prediction(TrunkTest):
 
     def test_interval_is_that_of_k_muscle_where_nothing_else_is_uncertain(self):
         self.file("t.csv", noisy(10))
-        fit = self.succeeds("fit", HEALTHY, "--trace", "t.csv", "-o", "f.h5", "--predict", PARALYSED, "--draws", "1000",
+        fit = self.succeeds("fit", HEALTHY, "--trace", "t.csv", "-o", "f.h5", "--predict", PARALYSED, "--draws", "300",
                             "--no-structural", *ONE, codes=FITTED)
         muscle, p = fit["parameters"]["k_muscle"], fit["predictions"]["hemiparalysis_right"]
         with h5py.File(self.folder / "f.h5") as file:
@@ -134,7 +134,7 @@ class Prediction(TrunkTest):
 
     def test_draws_have_the_intervals_of_the_fit(self):
         fit = self.succeeds("fit", HEALTHY, "--trace", ROOT / "reference/constructed_trace.csv", "-o", "f.h5", "--surface", "0",
-                            "--draws", "1000", codes=FITTED)
+                            "--draws", "300", codes=FITTED)
         with h5py.File(self.folder / "f.h5") as file:
             names = [name.decode() for name in file["draws/parameter"]]
             elasticity, muscle = (file["draws/value"][:, names.index(name)] for name in ("k_elasticity", "k_muscle"))
