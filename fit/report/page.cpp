@@ -13,7 +13,7 @@ extern "C" const char trunk_report_page[], trunk_report_page_end[];
 namespace trunk {
 namespace {
 
-constexpr std::size_t trajectory_bytes = 2'400'000;
+constexpr std::size_t most_trajectory_bytes = 2'400'000;
 
 /// Returns the JSON with "<" escaped, so that no text can end the script element.
 std::string for_script_element(const Packed::Json& json) {
@@ -41,7 +41,7 @@ std::string report_page(const std::vector<std::filesystem::path>& files,
   Packed packed;
   Packed::Json contents = Packed::Json::array();
   for (const auto& file : files)
-    contents.push_back(file_contents(file, trajectory_bytes / files.size(), packed));
+    contents.push_back(file_contents(file, most_trajectory_bytes / files.size(), packed));
   if (compared) contents[0]["run"]["surface"] = surface_contents(*compared, packed);
   constexpr std::string_view place = "<!-- the data -->";
   const std::string_view page(trunk_report_page,

@@ -53,11 +53,11 @@ double Effect::at(double place) const noexcept {
 }
 
 Mixture mixture_of(std::span<const Effect> effects, std::span<const Crossing> crossings) {
-  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  constexpr double no_share = std::numeric_limits<double>::quiet_NaN();
   Mixture m{0.0, 0.0, variances(effects, crossings)};
   const double variance = std::accumulate(m.shares.begin(), m.shares.end(), 0.0);
-  for (double& share : m.shares) share = variance > 0.0 ? share / variance : unknown;
-  if (!std::isfinite(variance)) m.lower95 = m.upper95 = unknown;
+  for (double& share : m.shares) share = variance > 0.0 ? share / variance : no_share;
+  if (!std::isfinite(variance)) m.lower95 = m.upper95 = no_share;
   if (!(variance > 0.0)) return m;
   const std::vector<double> sorted = changes(effects, crossings);
   m.lower95 = gsl_stats_quantile_from_sorted_data(sorted.data(), 1, sorted.size(), 0.025);

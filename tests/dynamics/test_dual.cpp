@@ -121,7 +121,8 @@ TEST_CASE("Derivatives pass through the breaths before", "[property][dynamics][s
   }
 }
 
-TEST_CASE("Derivatives pass through loads, friction, moving ribs and free bodies", "[property][dynamics][long]") {
+TEST_CASE("Derivatives pass through loads, friction, moving ribs and free bodies",
+          "[property][dynamics][long]") {
   for (const Scenario& scenario : {laden("healthy"), on_sheet(laden("healthy"))}) {
     const Trunk trunk = make_trunk(scenario);
     const Trial<double> trial{scenario.parameters, scenario.activation};

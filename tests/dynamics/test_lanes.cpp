@@ -110,7 +110,8 @@ TEST_CASE("Every lane has the bits of its trial alone", "[property][dynamics][lo
       check_lanes(make_trunk(scenario).model, four_trials(scenario), {1e-3, 0.2, damping});
 }
 
-TEST_CASE("Lanes that begin at different times have the bits of their trials alone", "[property][dynamics][long]") {
+TEST_CASE("Lanes that begin at different times have the bits of their trials alone",
+          "[property][dynamics][long]") {
   for (const char* name : {"healthy", "hemiparalysis_right", "bucket_handle"}) {
     Scenario scenario = shipped(name);
     scenario.time = {2e-3, 0.4, Damping::implicit, Start::periodic};

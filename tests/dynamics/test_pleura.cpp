@@ -199,7 +199,8 @@ TEST_CASE("Every step obeys the law of lung and airway, and both constraints", "
       }
 }
 
-TEST_CASE("A healthy breath with a lung has the pressures that clinics measure", "[property][dynamics][long]") {
+TEST_CASE("A healthy breath with a lung has the pressures that clinics measure",
+          "[property][dynamics][long]") {
   Scenario s = breathing_air();
   s.time.damping = Damping::implicit;
   const BreathRun run = run_breath(make_trunk(s), s, 0);
