@@ -13,7 +13,7 @@
 namespace trunk {
 namespace {
 
-constexpr double kept = 0.8;
+constexpr double kept_part = 0.8;
 
 /// Corresponding points, [pairs] each.
 struct Matches {
@@ -75,7 +75,7 @@ class Corresponding {
     if (from.distance.empty()) return;
     std::vector<double> sorted = from.distance;
     const auto last =
-        sorted.begin() + static_cast<std::ptrdiff_t>(kept * static_cast<double>(sorted.size() - 1));
+        sorted.begin() + static_cast<std::ptrdiff_t>(kept_part * static_cast<double>(sorted.size() - 1));
     std::nth_element(sorted.begin(), last, sorted.end());
     for (std::size_t i = 0; i < from.distance.size(); ++i)
       if (from.distance[i] <= *last)

@@ -46,7 +46,9 @@ struct Depths {
 
 Depths depths_of(const Body& body, double edge, std::size_t along, double from) {
   const std::size_t a = (along + 1) % 3, b = (along + 2) % 3;
-  const auto number = [&](double x, double low) { return static_cast<std::size_t>((x - low) / edge + 0.5); };
+  const auto number = [&](double x, double low) {
+    return static_cast<std::size_t>(std::lround((x - low) / edge));
+  };
   const std::size_t width = number(body.high[a], body.low[a]) + 1,
                     height = number(body.high[b], body.low[b]) + 1;
   std::vector<Depths::Column> columns(width * height, {{}, HUGE_VAL});

@@ -70,7 +70,7 @@ Voxels Voxels::grown(int steps) const {
 
 Voxels Voxels::opposite() const {
   Voxels result = *this;
-  for (char& value : result.values_) value = value == 0;
+  for (char& value : result.values_) value = value == 0 ? 1 : 0;
   return result;
 }
 
@@ -126,7 +126,7 @@ Voxels solid_within(const MeasuredSurface& surface) {
       todo.push_back(near);
     });
   }
-  for (std::size_t c = 0; c < solid.count(); ++c) solid[c] = empty[c] != 2;
+  for (std::size_t c = 0; c < solid.count(); ++c) solid[c] = empty[c] != 2 ? 1 : 0;
   return solid;
 }
 
