@@ -3,6 +3,7 @@
 #include <gsl/gsl_cdf.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -169,6 +170,22 @@ void summarise(ClinicNumber& number) {
   number.lower95 = number.mean - half, number.upper95 = number.mean + half;
 }
 
+// Doubts what hangs on the phase between flow and pleural pressure, where that phase cannot be right.
+// => doubt
+void doubt_phase(std::vector<ClinicNumber>& numbers) {
+  constexpr double least_resistance = 0.2;  // cmH2O s/L
+  static constexpr std::array of_phase = {"resistive_work_J_per_L", "expiratory_resistive_work_J_per_L",
+                                          "lung_resistance_cmH2O_s_per_L"};
+  const auto resistance = std::find_if(numbers.begin(), numbers.end(), [](const ClinicNumber& n) {
+    return n.name == "lung_resistance_cmH2O_s_per_L";
+  });
+  if (resistance == numbers.end() || resistance->mean >= least_resistance) return;
+  for (ClinicNumber& n : numbers)
+    if (std::find(of_phase.begin(), of_phase.end(), n.name) != of_phase.end())
+      n.doubt =
+          "the lung resistance is less than any airway has: flow and pleural pressure may be out of step";
+}
+
 }  // namespace
 
 std::vector<ClinicNumber> clinic_numbers(const MeasuredBreath& breath, const ClinicOptions& options) {
@@ -188,6 +205,7 @@ std::vector<ClinicNumber> clinic_numbers(const MeasuredBreath& breath, const Cli
     summarise(number);
     numbers.push_back(std::move(number));
   }
+  doubt_phase(numbers);
   return numbers;
 }
 

@@ -1,18 +1,11 @@
 #include "compartment/compartment_model.hpp"
 
-#include <Eigen/QR>
 #include <cmath>
 
 #include "dynamics/simulate.hpp"
+#include "linear_algebra/decompositions.hpp"
 
 namespace trunk {
-namespace {
-
-Eigen::VectorXd mapped(const std::vector<double>& values) {
-  return Eigen::VectorXd::Map(values.data(), static_cast<Eigen::Index>(values.size()));
-}
-
-}  // namespace
 
 TrunkAsCompartment as_compartment(const Recoil& recoil, const std::optional<Pleura>& pleura) {
   constexpr double usual = 25.0, least = 5.0;
@@ -95,7 +88,7 @@ void calibrate(const Candidate& c, const BreathCurves& curves, const TimeGrid& g
   courses.col(0).segment(1, n - 2) = (volume.tail(n - 2) - volume.head(n - 2)) / (2.0 * grid.dt_s);
   courses.col(1).setOnes();
   const Eigen::VectorXd recoil = trunk.abdominal_elastance(c.parameters) * volume;
-  trunk.abdominal_flow = courses.colPivHouseholderQr().solve(pressure - recoil)[0] / c.parameters.damping;
+  trunk.abdominal_flow = (pseudo_inverse(courses) * (pressure - recoil))[0] / c.parameters.damping;
   trunk.right_descent = -volume.dot(mapped(curves.right_dome_m)) / volume.squaredNorm();
 }
 

@@ -46,10 +46,6 @@ Eigen::VectorXd slope_of(const Eigen::VectorXd& value) {
   return slope;
 }
 
-Eigen::VectorXd mapped(const std::vector<double>& values) {
-  return Eigen::VectorXd::Map(values.data(), static_cast<Eigen::Index>(values.size()));
-}
-
 /// Returns what a channel shows of a breath. A descent is positive.
 Eigen::VectorXd curve_for(ChannelKind kind, const SeenBreath& breath) {
   switch (kind) {
@@ -70,6 +66,10 @@ Eigen::VectorXd curve_for(ChannelKind kind, const SeenBreath& breath) {
 }
 
 }  // namespace
+
+Eigen::VectorXd mapped(const std::vector<double>& values) {
+  return Eigen::VectorXd::Map(values.data(), static_cast<Eigen::Index>(values.size()));
+}
 
 std::vector<Block> blocks_of(const MeasuredCurve& measured) {
   std::vector<Block> blocks{{0, static_cast<Eigen::Index>(measured.delta_v.size())}};

@@ -18,6 +18,11 @@ struct MeasuredObservable {
   double deviation = 0.0;  // of an independent sample at first; see Objective::reweigh
 
   bool is_number() const noexcept { return value.size() == 1; }
+  /// Returns whether it is a pressure, which gives forces a scale.
+  bool is_pressure() const noexcept {
+    return kind == ChannelKind::gastric || kind == ChannelKind::pleural ||
+           kind == ChannelKind::transdiaphragmatic;
+  }
 };
 
 /// What the model is fitted to: a volume curve at increasing times from 0, and what was measured beside it;
@@ -39,6 +44,9 @@ struct Block {
 
 /// Returns the blocks of all measured values, one after the other: the volume, then what is beside it.
 std::vector<Block> blocks_of(const MeasuredCurve& measured);
+
+/// Returns values as a vector.
+Eigen::VectorXd mapped(const std::vector<double>& values);
 
 /// Returns all measured values, one block after the other.
 Eigen::VectorXd values_of(const MeasuredCurve& measured);

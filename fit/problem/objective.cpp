@@ -2,23 +2,15 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
 #include "errors/input_error.hpp"
+#include "linear_algebra/decompositions.hpp"
 #include "problem/trunk_model.hpp"
 
 namespace trunk {
-namespace {
-
-Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& columns) {
-  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(columns);
-  return qr.householderQ() * Eigen::MatrixXd::Identity(columns.rows(), qr.rank());
-}
-
-}  // namespace
 
 Objective::Objective(VolumeModel& model, const TimeGrid& grid, const SearchSpace& space,
                      const MeasuredCurve& measured, Knowledge knowledge)
@@ -36,7 +28,7 @@ Objective::Objective(VolumeModel& model, const TimeGrid& grid, const SearchSpace
   deviation_ = sample_deviation(measured);
   for (std::size_t b = 0; b < blocks_.size(); ++b) {  // a deviation is the same for all of such a block
     const Eigen::MatrixXd courses = nuisance_of(measured, b);
-    nuisance_.push_back(courses.cols() > 0 ? orthonormal(courses) : courses);
+    nuisance_.push_back(courses.cols() > 0 ? orthonormal_basis(courses) : courses);
   }
 }
 

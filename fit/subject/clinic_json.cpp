@@ -14,7 +14,8 @@ Json clinic_json(const std::vector<ClinicNumber>& numbers) {
                     {"lower95", json_number(n.lower95)},
                     {"upper95", json_number(n.upper95)},
                     {"of_mean_breath", json_number(n.of_mean_breath)},
-                    {"meaning", n.meaning}};
+                    {"meaning", n.meaning},
+                    {"doubt", n.doubt.empty() ? Json(nullptr) : Json(n.doubt)}};
   return json;
 }
 
@@ -35,10 +36,10 @@ Json channels_json(const Segmentation& s) {
 std::vector<FitResult> clinic_results(const std::vector<ClinicNumber>& numbers) {
   std::vector<FitResult> results;
   for (const ClinicNumber& n : numbers) {
-    const bool known = std::isfinite(n.lower95);
+    const std::string reason =
+        std::isfinite(n.lower95) ? n.doubt : "one breath does not show the spread from breath to breath";
     results.push_back({n.name, n.unit, n.mean, n.lower95, n.upper95,
-                       known ? Grade::determined : Grade::not_determined, "",
-                       known ? "" : "one breath does not show the spread from breath to breath", n.meaning});
+                       reason.empty() ? Grade::determined : Grade::not_determined, "", reason, n.meaning});
   }
   return results;
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "dynamics/recoil.hpp"
 #include "dynamics/stability.hpp"
@@ -81,11 +82,6 @@ PiecewiseLinear repeating(const std::vector<double>& time_s, const MeasuredChann
   return PiecewiseLinear(std::move(events), before);
 }
 
-bool tells_force(const MeasuredObservable& o) {
-  return o.kind == ChannelKind::gastric || o.kind == ChannelKind::pleural ||
-         o.kind == ChannelKind::transdiaphragmatic;
-}
-
 void hold(const std::vector<FixedParameter>& fixed, ScenarioFile& file) {
   Candidate c{file.scenario.parameters, file.scenario.activation};
   for (const FixedParameter& held : fixed) {
@@ -159,7 +155,8 @@ void SubjectFit::give_lung() {
 /// => scale_, draft.beside, plan_.priors
 void SubjectFit::take_scale(Draft& draft) {
   const Scenario& s = file_.scenario;
-  const bool pressed = std::any_of(measured_curve_.beside.begin(), measured_curve_.beside.end(), tells_force);
+  const bool pressed = std::any_of(measured_curve_.beside.begin(), measured_curve_.beside.end(),
+                                   std::mem_fn(&MeasuredObservable::is_pressure));
   if (!pressed && !s.lung_acts) return;
   for (ScalePrior prior : scale_priors(s.parameters, s.lung_acts)) {
     const auto given = std::find_if(plan_.priors.begin(), plan_.priors.end(),

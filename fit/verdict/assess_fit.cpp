@@ -10,6 +10,7 @@
 #include "anatomy/breath_run.hpp"
 #include "math/units.hpp"
 #include "verdict/reasons.hpp"
+#include "verdict/recoil_ends.hpp"
 #include "verdict/sentences.hpp"
 #include "verdict/spread.hpp"
 
@@ -63,81 +64,14 @@ class Assessment {
     std::optional<AlongRecoil> along;
     if (in_.energy_known && elasticity) {
       const auto held = static_cast<Eigen::Index>(*elasticity);
-      find_ends(held);
-      along = along_recoil(held);
+      RecoilEnds ends = recoil_ends(p_, e_, *in_.breath, held);
+      covariance_ = covariance_with_held(*e_.local, held);
+      recoil_ = ends.recoil;
+      low_ = ends.low;
+      high_ = ends.high;
+      along = std::move(ends.along);
     }
     results_.posterior = {e_.local->x, covariance_, e_.local->freedom, volume_error(), std::move(along)};
-  }
-
-  void find_ends(Eigen::Index held) {
-    recoil_ = recoil_time(*in_.breath, beside_energy(held));
-    covariance_ = covariance_with_held(*e_.local, held);
-    low_ = fitted_at(recoil_->lower95_s, held);
-    high_ =
-        fitted_at(std::isfinite(recoil_->upper95_s) ? recoil_->upper95_s : 3.0 * recoil_->lower95_s, held);
-  }
-
-  /// Returns what the priors that were given, and a muscle that is held, say of the recoil time beside the
-  /// energy. Without them the activation fits every recoil time, and how it is expected to bend is no
-  /// evidence.
-  RecoilDeviance beside_energy(Eigen::Index held) const {
-    bool given = !space_.find("k_muscle");
-    for (std::size_t i = 0; i < space_.size(); ++i) given |= space_.given_deviation(i) > 0.0;
-    RecoilDeviance known;
-    if (!given) return known;
-    const double best = std::log(p_.compartment.recoil_time_s(best_.parameters));
-    for (const double away :
-         {-2.0, -1.3, -0.8, -0.4, -0.2, -0.1, -0.05, 0.0, 0.05, 0.1, 0.2, 0.4, 0.8, 1.3, 2.0}) {
-      const Candidate there = fitted_at(std::exp(best + away), held);
-      known.log_recoil_s.push_back(std::log(p_.compartment.recoil_time_s(there.parameters)));
-      known.deviance.push_back(deviance_at(there));
-      const auto n = known.log_recoil_s.size();
-      if (n < 2 || known.log_recoil_s[n - 1] > known.log_recoil_s[n - 2] + 1e-3) continue;
-      known.log_recoil_s.pop_back();  // a bound stopped it
-      known.deviance.pop_back();
-    }
-    return known.log_recoil_s.size() < 3 ? RecoilDeviance{} : known;
-  }
-
-  /// Returns how all else follows the recoil time, with refits at both ends and halfway to them; none if
-  /// bounds leave it no room.
-  std::optional<AlongRecoil> along_recoil(Eigen::Index held) const {
-    const auto time_of = [&](const Candidate& c) { return p_.compartment.recoil_time_s(c.parameters); };
-    const auto halfway = [&](const Candidate& end) {
-      return fitted_at(std::sqrt(time_of(end) * time_of(best_)), held);
-    };
-    AlongRecoil along{expired_energy(*in_.breath),
-                      SharePosterior(expired_energy(*in_.breath), beside_energy(held)),
-                      recoil_->log_error,
-                      std::max(1.0, in_.breath->breaths_used - 1.0),
-                      {}};
-    for (const Candidate& c : {low_, halfway(low_), best_, halfway(high_), high_}) {
-      const double log_time = std::log(time_of(c));
-      if (along.refits.empty() || log_time > along.refits.back().first + 0.01)
-        along.refits.emplace_back(log_time, space_.encode(c));
-    }
-    if (along.refits.size() < 2) return std::nullopt;
-    return along;
-  }
-
-  /// Returns -2 log of the likelihood and of the priors, without the energy.
-  double deviance_at(const Candidate& c) const {
-    CompartmentModel model(p_.compartment, p_.grid, p_.measured);
-    model.correct_at(best_, e_.model);
-    Objective objective(model, p_.grid, space_, p_.measured);
-    objective.use_correlation(p_.correlation);
-    return objective.problem().at(space_.encode(c)).objective;
-  }
-
-  Candidate fitted_at(double recoil_s, Eigen::Index held) const {
-    CompartmentModel model(p_.compartment, p_.grid, p_.measured);
-    model.correct_at(best_, e_.model);
-    Objective objective(model, p_.grid, space_, p_.measured, p_.knowledge);
-    objective.use_correlation(p_.correlation);
-    Eigen::VectorXd x = e_.local->x;
-    x[held] = std::log(p_.compartment.relaxation * best_.parameters.damping / recoil_s);
-    x = objective.problem().inside(x);
-    return space_.decode(best_nuisance(objective.problem(), x, {held}));
   }
 
   /// => summaries_: best point, both ends of the recoil time, 5 % more muscle
@@ -174,8 +108,10 @@ class Assessment {
     return out;
   }
 
-  /// Grades a result in which forces count, after what it rests on.
-  void grade_by_shares(FitResult& r) const {
+  /// Grades a result after what it rests on where forces count, and else after a reason against it, if there
+  /// is one.
+  void grade(FitResult& r, const std::string& reason) const {
+    if (in_.scale.empty()) return set_reason(r, reason);
     r.grade = Grade::assumption;
     r.assumption = grade_of_shares(in_, r);
     if (r.assumption.empty()) r.grade = Grade::determined;
@@ -198,32 +134,23 @@ class Assessment {
   void add_parameters() {
     const auto& c = p_.compartment;
     const bool ratio_free = space_.find("k_muscle") || space_.find("k_elasticity");
-    const std::string course = in_.scale.empty() ? course_reason(in_, recoil_) : scale_reason(in_);
+    const std::string course = course_reason(in_, recoil_);
     const Reading r_ei = [&](const Candidate& x) {
       return muscle_against_recoil(c, x, p_.grid, p_.measured);
     };
     FitResult inspiration = muscular("r_ei", "1", r_ei);
-    if (in_.scale.empty())
-      grade_inspiration(in_, inspiration);
-    else
-      grade_by_shares(inspiration);
+    if (in_.scale.empty()) grade_inspiration(in_, inspiration);
+    grade(inspiration, "");
     add(std::move(inspiration));
     FitResult recoil = recoil_result();
-    if (in_.scale.empty())
-      set_reason(recoil, course);
-    else
-      grade_by_shares(recoil);
+    grade(recoil, course);
     add(std::move(recoil));
     if (!ratio_free) return;
-    const std::string shape = course_assumption(in_);
     FitResult ratio = muscular("k_muscle_over_k_elasticity", "1", [](const Candidate& x) {
       return x.parameters.muscle / x.parameters.elasticity;
     });
-    ratio.assumption = shape;
-    if (in_.scale.empty())
-      set_reason(ratio, course);
-    else
-      grade_by_shares(ratio);
+    ratio.assumption = course_assumption(in_);
+    grade(ratio, course);
     add(std::move(ratio));
     for (const bool muscle : {false, true}) add_stiffness(muscle, course);
   }
@@ -246,19 +173,14 @@ class Assessment {
       return muscle ? x.parameters.muscle : x.parameters.elasticity;
     };
     FitResult stiffness = muscle ? muscular(name, "N/m", reading) : result(name, "N/m", read(reading), false);
-    if (!in_.scale.empty()) {
-      grade_by_shares(stiffness);
-      return add(std::move(stiffness));
-    }
     if (!muscle && recoil_) {  // the ends of the recoil time, not of the candidates: a bound may stop those
-      const double scale = p_.compartment.relaxation * best_.parameters.damping;
-      stiffness.lower95 = scale / recoil_->upper95_s;
-      stiffness.upper95 = scale / recoil_->lower95_s;
+      stiffness.lower95 = std::max(p_.compartment.elasticity_of(recoil_->upper95_s, best_.parameters), 0.0);
+      stiffness.upper95 = p_.compartment.elasticity_of(recoil_->lower95_s, best_.parameters);
     }
     const bool damped = static_cast<bool>(space_.find("damping"));
     stiffness.assumption = fmt::format("a damping of {:g} N s/m, which no volume can tell{}",
                                        best_.parameters.damping, "; " + course_assumption(in_));
-    set_reason(stiffness, damped ? "the damping is free, and volume gives no scale of forces" : course);
+    grade(stiffness, damped ? "the damping is free, and volume gives no scale of forces" : course);
     add(std::move(stiffness));
   }
 
@@ -285,7 +207,7 @@ class Assessment {
     const auto& c = p_.compartment;
     const auto clinical = [&](const char* name, const char* unit, const Readings& r) {
       FitResult out = result(name, unit, r, false);
-      grade_by_shares(out);
+      grade(out, "");
       add(std::move(out));
     };
     constexpr double per_unit = m3_per_litre / Pa_per_cmH2O;
@@ -307,7 +229,7 @@ class Assessment {
           false);
       FitResult out = result("intrinsic_peep_cmH2O", "cmH2O", peep, false);
       if (!in_.airway_driven) out.lower95 = std::max(out.lower95, 0.0);
-      grade_by_shares(out);
+      grade(out, "");
       add(std::move(out));
     }
     add_swings();
@@ -335,7 +257,7 @@ class Assessment {
       if (value < 0.0) std::swap(out.lower95, out.upper95);
       out.meaning = meaning_of(name);
       out.shares = r.shares;
-      grade_by_shares(out);
+      grade(out, "");
       add(std::move(out));
     };
     add_swing("gastric_swing_cmH2O", curves.abdominal_Pa, [](const SeenBreath& b) { return b.abdominal_Pa; });
@@ -381,10 +303,7 @@ class Assessment {
                true);
     if (!in_.airway_driven) above.lower95 = std::max(above.lower95, 0.0);
     above.assumption = course_assumption(in_);
-    if (in_.scale.empty())
-      set_reason(above, course_reason(in_, recoil_));
-    else
-      grade_by_shares(above);
+    grade(above, course_reason(in_, recoil_));
     add(std::move(above));
   }
 

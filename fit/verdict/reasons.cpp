@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace trunk {
 namespace {
@@ -104,14 +105,12 @@ std::string assumption_behind(const std::string& source) {
 
 bool pressure_measured(const FitEvidence& in) {
   const auto& beside = in.problem.measured.beside;
-  return in.airway_driven || std::any_of(beside.begin(), beside.end(), [](const MeasuredObservable& o) {
-           return o.kind == ChannelKind::gastric || o.kind == ChannelKind::pleural ||
-                  o.kind == ChannelKind::transdiaphragmatic;
-         });
+  return in.airway_driven ||
+         std::any_of(beside.begin(), beside.end(), std::mem_fn(&MeasuredObservable::is_pressure));
 }
 
 std::string grade_of_shares(const FitEvidence& in, const FitResult& r) {
-  constexpr double most_of_priors = 0.1, worth_a_word = 0.05, widest = 0.25;
+  constexpr double most_of_priors = 0.1, worth_a_word = 0.05, widest = 0.25, far = 3.0;
   const double size = std::abs(r.value);
   const bool narrow = r.upper95 - r.value <= widest * size && r.value - r.lower95 <= widest * size;
   const bool alone = prior_part(r.shares) <= most_of_priors;
@@ -120,6 +119,8 @@ std::string grade_of_shares(const FitEvidence& in, const FitResult& r) {
   for (const Share& s : r.shares) {
     if (s.measured || s.part < worth_a_word) continue;
     text += (text.empty() ? "" : "; ") + assumption_behind(s.source);
+    if (s.pull > far)
+      text += fmt::format(", which this recording contradicts: it lies {:.1f} deviations away", s.pull);
   }
   return text.empty() ? "more breaths would be like these" : text;
 }

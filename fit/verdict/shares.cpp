@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace trunk {
 namespace {
@@ -18,13 +19,12 @@ std::string source_of(const std::string& name) {
   return name == "energy of expiration" ? name : "prior of " + name;
 }
 
-void add(const std::string& source, double part, bool measured, std::vector<Share>& shares) {
+void add(const Share& share, std::vector<Share>& shares) {
   const auto at =
-      std::find_if(shares.begin(), shares.end(), [&](const Share& s) { return s.source == source; });
-  if (at != shares.end())
-    at->part += part;
-  else
-    shares.push_back({source, part, measured});
+      std::find_if(shares.begin(), shares.end(), [&](const Share& s) { return s.source == share.source; });
+  if (at == shares.end()) return shares.push_back(share);
+  at->part += share.part;
+  at->pull = std::max(at->pull, share.pull);
 }
 
 }  // namespace
@@ -36,15 +36,18 @@ std::vector<Share> shares_of(const FitProblem& problem, const LocalFit& fit,
   std::vector<Share> shares;
   for (std::size_t b = 0; b < fit.blocks.size(); ++b) {
     const double part = weights.segment(fit.blocks[b].first, fit.blocks[b].count).squaredNorm() / all;
-    add(b == 0 ? "volume" : std::string(words_of(problem.measured.beside[b - 1].kind)), part, true, shares);
+    add({b == 0 ? "volume" : std::string(words_of(problem.measured.beside[b - 1].kind)), part, true}, shares);
   }
   Eigen::Index row = fit.blocks.back().first + fit.blocks.back().count;
-  std::vector<std::string> names = problem.space.prior_names();
-  for (const KnownFact& fact : problem.knowledge) names.push_back(fact.name);
-  for (const std::string& name : names) {
-    add(source_of(name), weights[row] * weights[row] / all, false, shares);
+  const auto add_prior = [&](const std::string& name, double residual) {
+    add({source_of(name), weights[row] * weights[row] / all, false, std::abs(residual)}, shares);
     ++row;
-  }
+  };
+  const std::vector<std::string> names = problem.space.prior_names();
+  const Eigen::VectorXd residuals = problem.space.prior_residuals(fit.x);
+  for (std::size_t i = 0; i < names.size(); ++i) add_prior(names[i], residuals[static_cast<Eigen::Index>(i)]);
+  for (const KnownFact& fact : problem.knowledge)
+    add_prior(fact.name, fact.residual(problem.space.decode(fit.x)));
   std::stable_sort(shares.begin(), shares.end(),
                    [](const Share& a, const Share& b) { return a.part > b.part; });
   return shares;

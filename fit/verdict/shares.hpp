@@ -13,6 +13,7 @@ struct Share {
   std::string source;  // "volume", "gastric pressure", "prior of lung_elastance", "timing", "shape" ...
   double part = 0.0;
   bool measured = false;  // otherwise it is a prior
+  double pull = 0.0;      // of a prior: how many of its deviations the best point is from its mean
 };
 
 /// Returns what a number rests on, the largest share first. `gradient` is its derivative by the coordinates.

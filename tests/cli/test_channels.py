@@ -45,7 +45,7 @@ class Numbers(TrunkTest):
         self.assertAlmostEqual(clinic["gastric_swing_cmH2O"]["value"], 4, delta=0.05)
         self.assertIn("tension_time_index", clinic)
         for number in clinic.values():
-            self.assertEqual(set(number), {"value", "unit", "lower95", "upper95", "of_mean_breath", "meaning"})
+            self.assertEqual(set(number), {"value", "unit", "lower95", "upper95", "of_mean_breath", "meaning", "doubt"})
             self.assertTrue(number["lower95"] <= number["value"] <= number["upper95"])
         self.assertEqual(found["channels"]["poes"], {"column": "Pes (cmH2O)", "unit": "cmH2O"})
         with open(self.folder / "b.csv", encoding="utf-8", newline="") as file:

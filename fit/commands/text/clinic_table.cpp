@@ -29,6 +29,15 @@ constexpr std::array columns{
 
 using Value = std::function<double(const ClinicNumber&)>;
 
+// Returns every doubt once, a line each.
+std::string doubts_of(const std::vector<ClinicNumber>& numbers) {
+  std::string text;
+  for (const ClinicNumber& n : numbers)
+    if (!n.doubt.empty() && text.find(n.doubt) == std::string::npos)
+      text += "  Do not trust the resistance and the work against it: " + n.doubt + ".\n";
+  return text;
+}
+
 std::string cell(double value) {
   return std::isnan(value) ? "-" : fmt::format("{:.3g}", value);
 }
@@ -56,7 +65,8 @@ std::string clinic_table(const std::vector<ClinicNumber>& numbers, const std::ve
   text += row("mean", [](const ClinicNumber& n) { return n.mean; });
   text += row("95 % from", [](const ClinicNumber& n) { return n.lower95; });
   text += row("     to", [](const ClinicNumber& n) { return n.upper95; });
-  return text + row("mean curve", [](const ClinicNumber& n) { return n.of_mean_breath; });
+  return text + row("mean curve", [](const ClinicNumber& n) { return n.of_mean_breath; }) +
+         doubts_of(numbers);
 }
 
 std::string clinic_lines(const std::vector<ClinicNumber>& numbers) {
@@ -67,7 +77,7 @@ std::string clinic_lines(const std::vector<ClinicNumber>& numbers) {
         text += fmt::format("  {:<42}{:>8}  {:>18}  {}\n", column.words, cell(n.mean),
                             fmt::format("{} to {}", cell(n.lower95), cell(n.upper95)),
                             n.unit == "1" ? "" : n.unit);
-  return text.empty() ? "" : "measured, mean over breaths with 95 % interval\n" + text;
+  return text.empty() ? "" : "measured, mean over breaths with 95 % interval\n" + text + doubts_of(numbers);
 }
 
 }  // namespace trunk

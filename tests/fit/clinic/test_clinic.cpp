@@ -161,3 +161,14 @@ TEST_CASE("A trace without pressures has no numbers of a clinic", "[clinic]") {
   trace.channels.clear();
   CHECK(clinic_numbers(mean_breath(segment_breaths(trace)), {}).empty());
 }
+
+TEST_CASE("A resistance that no airway has is doubted, and so is the work of flow", "[clinic]") {
+  LungBreather who;
+  for (const ClinicNumber& number : numbers_of(who)) CHECK(number.doubt.empty());
+  who.resistance = 0.05;
+  const auto numbers = numbers_of(who);
+  for (const char* name :
+       {"lung_resistance_cmH2O_s_per_L", "resistive_work_J_per_L", "expiratory_resistive_work_J_per_L"})
+    CHECK_THAT(find(numbers, name).doubt, Contains("out of step"));
+  CHECK(find(numbers, "pleural_swing_cmH2O").doubt.empty());
+}

@@ -32,6 +32,8 @@ TEST_CASE("Shares are the parts of the information on a result, and add up to 1"
   // Two rows of the volume see the first coordinate, one of the pressure sees it as well, and the prior the
   // other.
   LocalFit fit;
+  fit.x = space.start();
+  fit.x[1] = std::log(5.0) + 3.2 * 0.4;
   fit.blocks = blocks_of(measured);
   fit.rows = Eigen::MatrixXd::Zero(7, 2);
   fit.rows.col(0) << 1.0, 1.0, 0.0, 0.0, std::sqrt(6.0), 0.0, 0.0;
@@ -44,6 +46,7 @@ TEST_CASE("Shares are the parts of the information on a result, and add up to 1"
   CHECK(first.front().source == "gastric pressure");
   const auto second = shares_of(problem, fit, Eigen::Vector2d(0.0, 3.0));
   CHECK(part_of(second, "prior of lung_elastance") == Approx(1.0));
+  CHECK(second.front().pull == Approx(3.2));
   const auto both = shares_of(problem, fit, Eigen::Vector2d(1.0, 1.0));
   double sum = 0.0;
   for (const Share& share : both) sum += share.part;
