@@ -158,6 +158,10 @@ class Fit(TrunkTest):
         # Pressure goes with volume there: 8.1 cmH2O over 1.2 L, and hardly any resistance.
         self.assertAlmostEqual(fit["results"]["dynamic_lung_elastance_cmH2O_per_L"]["value"], 6.7, delta=0.2)
         self.assertLess(fit["results"]["lung_resistance_cmH2O_s_per_L"]["value"], 0.1)
+        # No airway is so wide: the number itself is doubted, and so is what rests on the usual resistance.
+        self.assertEqual(fit["results"]["lung_resistance_cmH2O_s_per_L"]["grade"], "not_determined")
+        self.assertRegex(fit["results"]["resistance_cmH2O_s_per_L"]["assumption"],
+                         r"prior of resistance holds, which this recording contradicts: it lies \d\.\d deviations away")
 
 
 if __name__ == "__main__":

@@ -3,7 +3,7 @@
 import re
 import unittest
 
-from support import FAST_FIT, HEALTHY, TrunkTest, breaths, csv, scenario_with, shared_file, trace
+from support import FAST_FIT, HEALTHY, ROOT, SCENARIOS, TrunkTest, breaths, csv, scenario_with, shared_file, trace
 
 FITTED = (0, 4)  # determined, or with an assumption; not determined is a result as well
 KEPT = {"status", "parameters", "ratio", "nrmse_percent", "tidal_volume_measured_ml", "tidal_volume_error_ml",
@@ -33,6 +33,26 @@ class RealTrace(TrunkTest):
             self.assertTrue(0 < estimate["lower95"] < estimate["value"] < estimate["upper95"])
         self.assertAlmostEqual(fit["ratio"]["value"], fit["parameters"]["k_muscle"]["value"]
                                / fit["parameters"]["k_elasticity"]["value"], delta=1e-9)
+
+
+class OnePosterior(TrunkTest):
+    TRACE = str(ROOT / "reference/canterbury_subject03.csv")
+
+    def fit(self, *options):
+        return self.succeeds("fit", HEALTHY, "--trace", self.TRACE, "-o", "f.h5", "--force", "--surface", "0", *options)["results"]
+
+    def test_a_prior_narrows_the_interval_that_it_moves(self):
+        found = self.fit("--prior", "k_elasticity=4000:1.1")["k_elasticity"]
+        self.assertTrue(found["lower95"] < found["value"] < found["upper95"])
+        self.assertAlmostEqual(found["value"], 4000, delta=600)
+        self.assertLess(found["upper95"] / found["lower95"], 1.1 ** (2 * 2.5))  # the prior alone: 1.1^3.92
+
+    def test_a_muscle_held_at_its_fitted_value_gives_the_same_tissue(self):
+        free = self.fit()
+        held = self.fit("--fix", f"k_muscle={free['k_muscle']['value']}")["k_elasticity"]
+        self.assertAlmostEqual(held["value"] / free["k_elasticity"]["value"], 1, delta=0.02)
+        wide = free["k_elasticity"]["upper95"] / free["k_elasticity"]["lower95"]
+        self.assertLess(held["upper95"] / held["lower95"], 0.5 * wide)
 
 
 class Fit(TrunkTest):
@@ -286,6 +306,28 @@ class Gated(TrunkTest):
         text = self.trunk("inspect", "f.h5").out
         self.assertEqual(text.count("gate subject_size: a tidal volume of"), 1)
         self.assertRegex(text, r"recoil_time_s +withheld, not_determined: gate subject_size\n")
+
+    def test_goes_before_a_search_that_did_not_end(self):
+        fit = self.succeeds("fit", HEALTHY, "--trace", "t.csv", "-o", "g.h5", *FAST_FIT, "--max-evaluations", "5", codes=(4,))
+        self.assertEqual((fit["grade"], fit["gates"]), ("not_determined", ["subject_size"]))
+        self.assertIn("4760 ml", fit["verdict"])
+
+    def test_nothing_else_is_made_of_it(self):
+        paralysed = str(SCENARIOS / "hemiparalysis_right.toml")
+        outcome = self.trunk("fit", HEALTHY, "--trace", "t.csv", "-o", "g.h5", *FAST_FIT, "--breath", "each", "--predict",
+                             paralysed, "--json")
+        self.assertEqual((outcome.json().get("predictions", {}), outcome.json().get("breaths", [])), ({}, []))
+        self.assertIn("no single breath is fitted and no other scenario is predicted", outcome.err)
+        self.assertNotIn("(by profile)", self.trunk("fit", HEALTHY, "--trace", "t.csv", "-o", "h.h5", *FAST_FIT, "--details").out)
+
+        simulated = self.trunk("simulate", paralysed, "--from", "f.h5", "-o", "r.h5", "--json", *FAST_FIT)
+        self.assertRegex(simulated.err, "note: a gate stopped the fit f.h5, so this simulation tells nothing of the subject")
+        self.assertNotIn("delta_v_ml_lower95", simulated.json())
+        self.refused("fit", HEALTHY, "--trace", "t.csv", "-o", "k.h5", "--fix", "k_elasticity=@f.h5",
+                     says="f.h5 withholds k_elasticity: a tidal volume of")
+        self.file("s.toml", f'schema = "trunk.sweep/1"\nscenarios = ["{HEALTHY}"]\nsubjects = ["f.h5"]\n')
+        self.refused("sweep", "s.toml", "-o", "d", says="f.h5: a gate stopped this fit: a tidal volume of")
+        self.assertIn("not to be fitted as it is", self.trunk("check", HEALTHY, "--trace", "t.csv").out)
 
 
 if __name__ == "__main__":

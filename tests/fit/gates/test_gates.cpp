@@ -196,6 +196,25 @@ TEST_CASE("Muscles and machines of many kinds are told apart", "[nightly][gates]
   check_machines({0.3, 0.6, 1.2}, {2.2, 4.0, 6.0});
 }
 
+TEST_CASE("A flowmeter that reads one way too high or too low leaves the tidal volume in its limits",
+          "[unit][gates]") {
+  test::Breather who = breather(test::muscle_shapes()[1].activation, 0.4, 4.0);
+  who.inspired_part = GENERATE(0.28, 0.4);
+  const Trace right = test::breathed(who, 5);
+  const double truth = trace_signs(segment_breaths(right)).tidal_volume_m3;
+  for (const bool inspiration : {true, false})
+    for (const double gain : {0.85, 0.93, 1.07, 1.2}) {
+      CAPTURE(who.inspired_part, inspiration, gain);
+      Trace wrong = right;
+      for (double& flow : wrong.value)
+        if ((flow > 0) == inspiration) flow *= gain;
+      const TraceSigns signs = trace_signs(segment_breaths(wrong));
+      const double error = 1.96 * screened(signs, adult_m3).tidal_volume_error;
+      CHECK(std::abs(signs.tidal_volume_m3 / truth - 1) < error + 0.01);
+      CHECK(error < std::abs(gain - 1) + 0.01);  // no wider than the mismatch itself
+    }
+}
+
 TEST_CASE("A wandering end-expiratory level is seen, and drift is not", "[unit][gates]") {
   Record record;
   record.breaths.resize(30);
