@@ -3,6 +3,8 @@
 import re
 import unittest
 
+import h5py
+
 from support import FAST_FIT, HEALTHY, ROOT, SCENARIOS, TrunkTest, breaths, csv, scenario_with, shared_file, trace
 
 FITTED = (0, 4)  # determined, or with an assumption; not determined is a result as well
@@ -46,6 +48,10 @@ class OnePosterior(TrunkTest):
         self.assertTrue(found["lower95"] < found["value"] < found["upper95"])
         self.assertAlmostEqual(found["value"], 4000, delta=600)
         self.assertLess(found["upper95"] / found["lower95"], 1.1 ** (2 * 2.5))  # the prior alone: 1.1^3.92
+        with h5py.File(self.folder / "f.h5") as file:  # what predictions rest on
+            names = [name.decode() for name in file["draws/parameter"]]
+            drawn = sorted(file["draws/value"][:, names.index("k_elasticity")])
+        self.assertTrue(0.97 * found["lower95"] < drawn[1] and drawn[-2] < 1.03 * found["upper95"], drawn)
 
     def test_a_muscle_held_at_its_fitted_value_gives_the_same_tissue(self):
         free = self.fit()

@@ -124,6 +124,30 @@ TEST_CASE("Noise does not add to the energy of several breaths, and its spread i
   CHECK(median(errors) == Approx(std::sqrt(squares)).epsilon(0.3));
 }
 
+TEST_CASE("The spread of breaths moves a recoil time less that something else knows too",
+          "[unit][expiration]") {
+  const Passive shape;
+  const double usual = std::log(recoil_time(measured(shape)).median_s);
+  RecoilDeviance known;  // a normal statement on ln tau with a deviation of 0.3
+  for (int i = -20; i <= 20; ++i) {
+    known.log_recoil_s.push_back(usual + 0.1 * i);
+    known.deviance.push_back(0.1 * i * 0.1 * i / 0.09);
+  }
+  constexpr int repeats = 60;
+  std::vector<double> logs, errors;
+  for (int k = 0; k < repeats; ++k) {
+    const MeasuredBreath noisy = measured(shape, 10, 60e-6, static_cast<std::uint64_t>(k));
+    const RecoilTime recoil = recoil_time(noisy, known);
+    logs.push_back(std::log(recoil.median_s));
+    errors.push_back(recoil.log_error);
+    CHECK(recoil.log_error < 0.5 * recoil_time(noisy).log_error);
+  }
+  double mean = 0, squares = 0;
+  for (const double l : logs) mean += l / repeats;
+  for (const double l : logs) squares += (l - mean) * (l - mean) / (repeats - 1);
+  CHECK(median(errors) == Approx(std::sqrt(squares)).epsilon(0.35));
+}
+
 TEST_CASE("There is no upper limit if the expiration does not slow down", "[unit][expiration]") {
   Passive shape;
   shape.recoil_s = -4;  // the flow grows

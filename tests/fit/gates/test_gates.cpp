@@ -215,6 +215,22 @@ TEST_CASE("A flowmeter that reads one way too high or too low leaves the tidal v
     }
 }
 
+TEST_CASE("A large difference of in- and expired volume is told from an offset of the flow",
+          "[unit][gates]") {
+  test::Breather who = breather(test::muscle_shapes()[1].activation, 0.4, 4.0);
+  who.timing_cv = 0.1;  // so that sizes and durations differ
+  Trace doubled = test::breathed(who, 5), shifted = doubled;
+  for (double& flow : doubled.value)
+    if (flow > 0) flow *= 1.6;
+  CHECK(fired(doubled) == std::set<std::string>{"gain_mismatch"});
+  const double tidal_m3 = trace_signs(segment_breaths(shifted)).tidal_volume_m3;
+  for (double& flow : shifted.value) flow += 0.5 * tidal_m3 / who.period_s;
+  const Screening offset = screened(segment_breaths(shifted), adult_m3);
+  CHECK(offset.gates.empty());
+  CHECK(offset.tidal_volume_error == 0);
+  CHECK_THAT(offset.notes.at(0), Contains("the flow has an offset"));
+}
+
 TEST_CASE("A wandering end-expiratory level is seen, and drift is not", "[unit][gates]") {
   Record record;
   record.breaths.resize(30);

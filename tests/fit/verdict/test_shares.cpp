@@ -55,3 +55,23 @@ TEST_CASE("Shares are the parts of the information on a result, and add up to 1"
   CHECK(prior_part(both) == Approx((1.0 / 6.25) / (1.0 / 8.0 + 1.0 / 6.25)));
   CHECK(text_of(first) == "gastric pressure 75 %, volume 25 %");
 }
+
+TEST_CASE("Priors of one kind make one share, with the strongest pull among them", "[unit][fit]") {
+  const Scenario s = test::breathing_air();
+  const Trunk trunk = make_trunk(s);
+  const MeasuredCurve measured{{0.0, 1.0}, {0.0, 4e-4}, {}, {}};
+  const SearchSpace space({"rise", "slow_fall"}, {s.parameters, s.activation}, {},
+                          {{"rise", std::nullopt, 0.2}, {"slow_fall", std::nullopt, 0.2}});
+  const TrunkAsCompartment compartment = as_compartment({25.0, 0.07, 30.0, 0.3, 500.0, 260.0}, Pleura{});
+  const FitProblem problem{trunk, s.time, space, measured, compartment};
+  LocalFit fit;
+  fit.x = space.start();
+  fit.x[1] -= 4.0 * 0.2;
+  fit.blocks = blocks_of(measured);
+  fit.rows = Eigen::MatrixXd::Zero(4, 2);
+  fit.rows(2, 0) = fit.rows(3, 1) = 5.0;
+  fit.unit_covariance = (fit.rows.transpose() * fit.rows).inverse();
+  const auto shares = shares_of(problem, fit, Eigen::Vector2d(1.0, 1.0));
+  CHECK(part_of(shares, "timing") == Approx(1.0));
+  CHECK(shares.front().pull == Approx(4.0));
+}
