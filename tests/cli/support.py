@@ -14,6 +14,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 SCENARIOS = ROOT / "scenarios"
+NIGHTLY = "TRUNK_NIGHTLY" in os.environ  # scripts/nightly sets it; see tests/CMakeLists.txt
 PROGRAM = os.environ.get("TRUNK", str(ROOT / "build" / "trunk"))
 SHARED = Path(os.environ.get("TRUNK_SHARED", ROOT.parent / "shared"))
 HEALTHY = str(SCENARIOS / "healthy.toml")
@@ -23,6 +24,11 @@ LIMIT_S = 180  # nothing here may hang, sanitized and beside other work
 COARSE = ("--set", "time.dt_ms=3", "--set", "time.duration_s=0.3")
 FAST_FIT = ("--set", "time.dt_ms=3")
 SHORT_BREATH = {"dt_ms": 3, "duration_s": 0.8, "rise_s": 0.4, "fast_fall_s": 0.1, "slow_fall_s": 0.3}
+
+
+def at_night(test):
+    """A test that is too long for the gate: by day it is none, and scripts/nightly runs it."""
+    return test if NIGHTLY else None
 
 
 def shared_file(name):

@@ -1,6 +1,5 @@
 """The kernel against reference/oracle.py, which solves the same equations by other means, over breaths."""
 
-import os
 import re
 import subprocess
 import sys
@@ -9,10 +8,10 @@ import unittest
 import h5py
 import numpy as np
 
-from support import HEALTHY, ROOT, SCENARIOS, TrunkTest
+from support import HEALTHY, NIGHTLY, ROOT, SCENARIOS, TrunkTest, at_night
 
 LIMIT_S = 300  # all of it takes about 35 s on an idle core
-NIGHTLY = "TRUNK_NIGHTLY" in os.environ  # whole breaths; else the halves of them that hold the most
+# At night whole breaths; by day the halves of them that hold the most.
 TEXT = "parameters/scenario_toml"
 STEP = ("--set", "time.dt_ms=3")
 BREATH_STEPS = 1500 if NIGHTLY else 750  # a whole breath, or the inspiration and the turn
@@ -158,6 +157,7 @@ class Oracle(TrunkTest):
         trunk.write_text(text, encoding="utf-8")
         self.assert_agrees("trunk/scenario.toml", steps=SHORT_STEPS)
 
+    @at_night
     def test_lung_and_airway(self):
         """At ribs that rub."""
         lasts, steps = (BREATH, BREATH_STEPS) if NIGHTLY else (SHORT, SHORT_STEPS)
@@ -167,9 +167,11 @@ class Oracle(TrunkTest):
         self.assert_agrees(self.scenario(BUCKET_HANDLE + LUNG + LOADS, "hemiparalysis_right", fields=FIELDS), *SHORT,
                            steps=SHORT_STEPS)
 
+    @at_night
     def test_sees_a_millionth_of_the_resistance(self):
         self.assert_sees(self.scenario(LUNG), *SHORT, change="lung.resistance_cmH2O_s_per_L", factor=1 + 1e-6)
 
+    @at_night
     def test_finer_mesh(self):
         self.assert_agrees(self.scenario(BUCKET_HANDLE + FREE_TENDON), *RUBBING, "--set", "geometry.resolution=2",
                            "--set", "time.dt_ms=0.5", "--set", "time.duration_s=0.2", steps=400)
@@ -182,6 +184,7 @@ class Oracle(TrunkTest):
         self.succeeds("export", "run.h5", "--pml", "trunk")
         self.assert_agrees("trunk/scenario.toml", steps=SHORT_STEPS)
 
+    @at_night
     def test_breathing_that_repeats(self):
         """The oracle finds the breath that repeats by itself: it breathes from rest until two breaths are the same."""
         breath = ("--set", "time.duration_s=1.2", "--set", "activation.onset_s=-0.1", "--set", "activation.rise_s=0.5",

@@ -9,7 +9,7 @@ import unittest
 import h5py
 
 from many_fits import FITTED, ONE, PARALYSED, QUICK, noisy
-from support import COARSE, FAST_FIT, HEALTHY, ROOT, TrunkTest, csv, trace
+from support import COARSE, FAST_FIT, HEALTHY, ROOT, TrunkTest, at_night, csv, trace
 
 
 class Prediction(TrunkTest):
@@ -88,6 +88,7 @@ class Prediction(TrunkTest):
             self.assertGreater(p["upper95"], truth)
         self.assertGreater(widths[1], 1.5 * widths[0], widths)
 
+    @at_night
     def test_interval_is_that_of_k_muscle_where_nothing_else_is_uncertain(self):
         self.file("t.csv", noisy(10))
         fit = self.succeeds("fit", HEALTHY, "--trace", "t.csv", "-o", "f.h5", "--predict", PARALYSED, "--draws", "300",

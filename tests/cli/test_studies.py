@@ -1,11 +1,10 @@
 """The study scripts run, and show what README.md says of them."""
 
 import csv
-import os
 import subprocess
 import unittest
 
-from support import PROGRAM, ROOT, TrunkTest
+from support import PROGRAM, ROOT, TrunkTest, at_night
 
 SCRIPTS = ROOT / "scripts"
 COLUMNS = ["breath", "costal_ring", "abdomen_stiffness_factor", "fibres", "reaction", "paralysed",
@@ -99,7 +98,7 @@ class Sheet(StudyTest):
         self.assertEqual(len(set(volumes)), 5)
         self.assertLessEqual(max(volumes) / min(volumes), 1.05)
 
-    @unittest.skipUnless("TRUNK_NIGHTLY" in os.environ, "the whole study takes minutes")
+    @at_night  # it takes minutes
     def test_the_whole_study(self):
         found = self.volumes()
         for question in ("held", "breath"):

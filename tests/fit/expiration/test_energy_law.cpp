@@ -145,7 +145,9 @@ TEST_CASE("The spread of breaths moves a recoil time less that something else kn
   double mean = 0, squares = 0;
   for (const double l : logs) mean += l / repeats;
   for (const double l : logs) squares += (l - mean) * (l - mean) / (repeats - 1);
-  CHECK(median(errors) == Approx(std::sqrt(squares)).epsilon(0.35));
+  const double spread = std::sqrt(squares);
+  CHECK(median(errors) > spread);  // the law is not normal: its weight is that at the middle, and a little too large
+  CHECK(median(errors) < 1.6 * spread);
 }
 
 TEST_CASE("There is no upper limit if the expiration does not slow down", "[unit][expiration]") {
