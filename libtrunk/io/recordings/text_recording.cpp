@@ -2,10 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
 #include <limits>
 #include <optional>
 
 #include "tables/clock_time.hpp"
+#include "tables/column_names.hpp"
 #include "tables/delimited_text.hpp"
 #include "text/message_text.hpp"
 
@@ -30,6 +33,7 @@ class TextRecording : public Recording {
     std::vector<std::vector<std::optional<ClockTime>>> clocks(chosen.size());
     DelimitedText::Row row;
     for (table_.rewind(); table_.next(row);) {
+      refuse_other_header(row);
       samples.lines.push_back(static_cast<std::uint32_t>(row.line));
       for (std::size_t i = 0; i < chosen.size(); ++i) {
         const auto flaw = [&](const InputError& error) { add_flaw(samples, error); };
@@ -64,6 +68,31 @@ class TextRecording : public Recording {
     if (samples.flaws.empty() || samples.flaws.back().sample != sample)
       samples.flaws.push_back({sample, error.mistake()});
     if (samples.flaws.size() > most_flaws) throw InputError(samples.flaws.front().mistake);
+  }
+
+  // Throws if a row names columns or units, and not as the header does: what follows may be something else. A
+  // header that is repeated, as on each page of a report, is a row without numbers like others.
+  void refuse_other_header(const DelimitedText::Row& row) const {
+    std::size_t known = 0, other = 0, texts = 0;
+    for (std::size_t i = 0; i < row.cells.size(); ++i) {
+      const std::string_view cell = row.cells[i];
+      if (cell.empty()) continue;
+      if (!starts_like_a_name(cell)) return;
+      const ColumnName name = column_name(cell);
+      known += name.quantity != Quantity::unknown || role_of(name) ? 1 : 0;
+      other += cell != table_.names()[i] && (table_.units().empty() || cell != table_.units()[i]) ? 1 : 0;
+      ++texts;
+    }
+    if (texts < std::min<std::size_t>(2, channels.size()) || known == 0 || other == 0) return;
+    throw InputError({source, row.line},
+                     fmt::format("a second header, {}, after the first rows", excerpt(row.cells[0])),
+                     "one table, in which names and units hold to its end",
+                     "give the rows before and after it as files of their own");
+  }
+
+  static bool starts_like_a_name(std::string_view cell) {
+    const auto byte = static_cast<unsigned char>(cell.front());
+    return byte >= 0x80 || std::isalpha(byte) || cell.front() == '(' || cell.front() == '[';
   }
 
   ClockTime clock(const DelimitedText::Row& row, std::size_t column) const {

@@ -12,56 +12,40 @@
 namespace trunk {
 namespace {
 
-// Returns a header in lower case, with "_" for all characters that separate words. Letters are those of ASCII
-// and all bytes of other scripts. Capitals of western Europe (U+00C0 to U+00DE) become lower case too.
-std::string plain_name(std::string_view header) {
-  std::string plain;
-  unsigned char before = 0;
-  for (const char c : header) {
-    const auto byte = static_cast<unsigned char>(c);
-    const bool capital = before == 0xC3 && byte >= 0x80 && byte <= 0x9E && byte != 0x97;
-    if (byte >= 0x80)
-      plain += static_cast<char>(capital ? byte + 0x20 : byte);
-    else if (std::isalnum(byte))
-      plain += static_cast<char>(std::tolower(byte));
-    else if (!plain.empty() && plain.back() != '_')
-      plain += '_';
-    before = byte;
-  }
-  if (plain.ends_with('_')) plain.pop_back();
-  return plain;
-}
-
-std::string without_conditions(std::string plain) {
-  for (const std::string_view condition : gas_conditions())
-    if (plain.ends_with(condition)) plain.resize(plain.size() - condition.size());
-  return plain;
-}
-
-const UnitSpelling* ending_of(std::string_view plain) {
-  const UnitSpelling* longest = nullptr;
-  for (const UnitSpelling& spelling : unit_spellings())
-    if (plain.ends_with(spelling.suffix) && (!longest || spelling.suffix.size() > longest->suffix.size()))
-      longest = &spelling;
-  return longest;
-}
-
 struct Brackets {
-  Unit unit;
-  std::string rest;
+  std::optional<Unit> unit;
+  std::string rest, unclear;  // unclear: what looks like a unit
 };
 
+// Returns the unit that ends a text in words, "mouth, L/s" or "in s".
+std::optional<Unit> unit_after_words(std::string_view text) {
+  const auto at = text.find_last_of(" ,;:");
+  if (at == std::string_view::npos) return std::nullopt;
+  const std::string words = plain_name(text.substr(0, at));
+  for (const std::string_view part :
+       {"per", "pro", "par", "of", "milli", "micro", "centi", "deci", "kilo", "x"})
+    if (words == part || words.ends_with("_" + std::string(part))) return std::nullopt;
+  if (std::any_of(words.begin(), words.end(), [](char c) { return c >= '0' && c <= '9'; }))
+    return std::nullopt;
+  if (text.find_first_of("/*^%") < at) return std::nullopt;
+  return unit_of(text.substr(at + 1));
+}
+
 // Returns L_s and "Flow  at the mouth" for "Flow [L/s] at the mouth".
-std::optional<Brackets> unit_in_brackets(std::string_view header) {
+Brackets unit_in_brackets(std::string_view header) {
+  Brackets found;
   for (auto open = header.find_first_of("[("); open != std::string_view::npos;
        open = header.find_first_of("[(", open + 1)) {
     const auto close = header.find_first_of("])", open);
-    if (close == std::string_view::npos) return std::nullopt;
-    if (const auto unit = unit_of(header.substr(open, close - open)))
-      return Brackets{*unit,
-                      std::string(header.substr(0, open)) + " " + std::string(header.substr(close + 1))};
+    if (close == std::string_view::npos) break;
+    const std::string_view inside = header.substr(open + 1, close - open - 1);
+    auto unit = unit_of(inside);
+    if (!unit) unit = unit_after_words(inside);
+    if (unit)
+      return {unit, std::string(header.substr(0, open)) + " " + std::string(header.substr(close + 1)), ""};
+    if (looks_like_unit(inside)) found.unclear = inside;
   }
-  return std::nullopt;
+  return found;
 }
 
 std::vector<std::string_view> parts_of(std::string_view base) {
@@ -81,6 +65,31 @@ bool is_ignored(std::string_view part) {
          (part.starts_with("ch") && part.find_first_not_of("0123456789", 2) == std::string_view::npos);
 }
 
+// Takes the longest unit at the end of a name: L_s of "flow_l_s".
+void set_ending(ColumnName& column) {
+  const std::string& plain = column.plain;
+  for (auto at = plain.find('_'); at != std::string::npos; at = plain.find('_', at + 1))
+    if (const auto unit = plain_unit(std::string_view(plain).substr(at + 1))) {
+      column.base = plain.substr(0, at);
+      return column.set(*unit);
+    }
+}
+
+bool is_number(std::string_view part) {
+  return !part.empty() && part.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
+// Returns whether a name without its unit ends in what may be a factor: "flow_10", "flow_0_1", "flow_x10". A
+// single digit is the number of a channel.
+bool ends_in_factor(std::string_view base) {
+  const auto parts = parts_of(base);
+  if (parts.empty()) return false;
+  const std::string_view last = parts.back(), before = parts.size() > 1 ? parts[parts.size() - 2] : "";
+  if (last.size() > 1 && last[0] == 'x' && is_number(last.substr(1))) return true;
+  if (!is_number(last)) return false;
+  return is_number(before) || before == "x" || last == "10" || last == "100" || last == "1000";
+}
+
 std::vector<std::string> expected_names(Quantity quantity) {
   if (quantity == Quantity::time) return {"time_s", "time_ms", "time_min"};
   if (quantity == Quantity::volume) return {"volume_ml", "volume_L"};
@@ -93,28 +102,29 @@ void ColumnName::set(const Unit& known) {
   unit = known.name;
   quantity = known.quantity;
   to_si = known.to_si;
+  unclear.clear();
 }
 
-std::optional<Unit> unit_of(std::string_view text) {
-  const std::string plain = "_" + without_conditions(plain_name(text));
-  for (const UnitSpelling& spelling : unit_spellings())
-    if (plain == spelling.suffix) return spelling.unit;
-  return std::nullopt;
+std::string ColumnName::doubtful_unit() const {
+  return unclear.empty() && quantity == Quantity::unknown && looks_like_unit(unit) ? unit : unclear;
 }
 
 ColumnName column_name(std::string_view header) {
-  ColumnName column{std::string(header), plain_name(header), {}, {}, Quantity::unknown, 1};
+  ColumnName column{std::string(header), plain_name(header), {}, {}, Quantity::unknown, 1, {}};
   column.base = column.plain;
-  const std::string plain = without_conditions(column.plain);
-  if (const auto unit = unit_of(header))
+  if (const auto unit = unit_of(header)) {
     column.set(*unit);
-  else if (const auto brackets = unit_in_brackets(header)) {
-    column.base = plain_name(brackets->rest);
-    column.set(brackets->unit);
-  } else if (const UnitSpelling* spelling = ending_of(plain)) {
-    column.base = plain.substr(0, plain.size() - spelling->suffix.size());
-    column.set(spelling->unit);
+    return column;
   }
+  const Brackets brackets = unit_in_brackets(header);
+  if (brackets.unit) {
+    column.base = plain_name(brackets.rest);
+    column.set(*brackets.unit);
+  } else if (brackets.unclear.empty()) {
+    set_ending(column);
+  }
+  if (column.quantity != Quantity::unknown && ends_in_factor(column.base)) column.unclear = header;
+  if (!brackets.unit) column.unclear += brackets.unclear;
   return column;
 }
 
@@ -152,6 +162,12 @@ std::string suggestion(const std::vector<ColumnName>& columns, Quantity quantity
   const std::string unit_option = quantity == Quantity::time     ? "--time-unit s"
                                   : quantity == Quantity::volume ? "--unit ml"
                                                                  : "--unit L/s";
+  for (const auto& column : columns) {
+    const std::string given = column.doubtful_unit();
+    if (!given.empty() && ("_" + column.plain).find("_" + first.base) != std::string::npos)
+      return fmt::format("the unit {} of {} is not known or not clear: {}", excerpt(given),
+                         excerpt(column.text), how_to_give_a_unit(quantity));
+  }
   for (const auto& column : columns)
     if (column.quantity == Quantity::unknown && role_of(column) == role_of(first))
       return fmt::format("{} has no unit: name it {} or {}, or add an option like {}", excerpt(column.text),
@@ -168,6 +184,18 @@ std::string suggestion(const std::vector<ColumnName>& columns, Quantity quantity
     if (column.quantity == quantity)
       return fmt::format("if {0} is meant, add --{1} {0}", excerpt(column.text), first.base);
   return "";
+}
+
+std::string how_to_give_a_unit(Quantity quantity) {
+  const bool flow = quantity == Quantity::flow, time = quantity == Quantity::time;
+  return fmt::format("write it as in ({}), with a factor before it as in ({}), or give it with --{}",
+                     flow   ? "L/s"
+                     : time ? "ms"
+                            : "ml",
+                     flow   ? "0.1 L/s"
+                     : time ? "10 ms"
+                            : "10 ml",
+                     time ? "time-unit" : "unit");
 }
 
 std::string list_of(const std::vector<ColumnName>& columns) {

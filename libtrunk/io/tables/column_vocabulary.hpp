@@ -4,16 +4,19 @@
 #include <string_view>
 
 #include "tables/column_names.hpp"
+#include "tables/unit_text.hpp"
 
 /// Private to the tables layer: the words of column headers, in lower case and joined by "_".
 namespace trunk {
 
 struct UnitSpelling {
-  std::string_view suffix;  ///< of a name: "_l_min"
-  Unit unit;
+  std::string_view suffix;  ///< of a name: "_ml"
+  std::string_view name;    ///< in this program
+  Quantity quantity;
+  double to_si;
 };
 
-/// Returns all spellings of units. Several may match the end of a name; the longest one counts.
+/// Returns all spellings of units. A volume over a time is a flow, and is not listed again.
 std::span<const UnitSpelling> unit_spellings();
 
 /// Returns the gas conditions that spirometers write after a unit, such as "_btps".

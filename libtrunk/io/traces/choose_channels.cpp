@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 
 #include "math/units.hpp"
 
@@ -51,6 +52,7 @@ class ChannelChoice {
     if (!assumed_.empty())
       note(fmt::format(
           "no unit of pressure stands at {}: cmH2O is assumed (--pressure-unit kPa changes this)", assumed_));
+    compare_units();
     return chosen_;
   }
 
@@ -153,7 +155,18 @@ class ChannelChoice {
       chosen.unit = unit->name, chosen.to_si = unit->to_si;
       return;
     }
-    if (name.quantity == quantity) return;
+    if (const std::string unclear = name.doubtful_unit(); !unclear.empty())
+      find_.fail(fmt::format("the unit {} of the chosen {} is not known or not clear", excerpt(unclear),
+                             find_.word_and_name(chosen.column)),
+                 pressure ? "cmH2O, mbar, hPa, kPa, Pa or mmHg" : "mm or cm",
+                 fmt::format(
+                     "write it so, with a factor before it as in ({}), {}leave the column out with --{} none",
+                     pressure ? "0.1 kPa" : "0.1 mm", pressure ? "give it with --pressure-unit, or " : "or ",
+                     option_of(chosen.kind)));
+    if (name.quantity == quantity) {
+      if (auto text = find_.note_of_factor(chosen.column, chosen.unit); !text.empty()) note(std::move(text));
+      return;
+    }
     if (name.quantity != Quantity::unknown || (pressure && !name.unit.empty()))
       find_.fail(fmt::format("the chosen {} is in {} and not in a unit of {}",
                              find_.word_and_name(chosen.column), name.unit, pressure ? "pressure" : "length"),
@@ -165,6 +178,21 @@ class ChannelChoice {
       append(assumed_, find_.word_and_name(chosen.column));
     else
       note(fmt::format("no unit stands at {}: mm is assumed", find_.word_and_name(chosen.column)));
+  }
+
+  // Says the units of pressures if they differ: one of them may be wrong.
+  void compare_units() {
+    std::string units;
+    double first = 0;
+    bool differ = false;
+    for (const ChannelColumn& c : chosen_.columns) {
+      if (!is_pressure(c.kind)) continue;
+      append(units, fmt::format("{} in {}", find_.word_and_name(c.column), c.unit));
+      const double size = std::abs(c.to_si);
+      differ = differ || (first > 0 && size != first);
+      first = size;
+    }
+    if (differ) note(fmt::format("the pressures are in different units, {}: check that this is so", units));
   }
 
   const Recording& recording_;

@@ -19,10 +19,17 @@ constexpr auto signal_names = "volume_ml, volume_L, flow_L_s, flow_L_min or flow
 ColumnName name_of(const Channel& channel) {
   ColumnName column = column_name(channel.name);
   if (const auto unit = unit_of(channel.unit)) {
+    // The times of a clock are in seconds whatever its name says.
+    const bool other = column.quantity != Quantity::unknown && column.quantity != Quantity::time &&
+                       (column.quantity != unit->quantity || column.to_si != unit->to_si);
+    const std::string both = other ? fmt::format("{} and {}", column.unit, unit->name) : "";
     if (column.quantity == Quantity::unknown) column.base = column.plain;
     column.set(*unit);
+    column.unclear = both;
   } else if (column.quantity == Quantity::unknown) {
     column.unit = channel.unit;
+  } else if (looks_like_unit(channel.unit)) {
+    column.unclear = channel.unit;
   }
   return column;
 }
@@ -59,7 +66,8 @@ class ColumnChoice {
     mistakes.gather([&] { chosen_.sigma = documented("sigma", Quantity::volume); });
     if (mistakes.empty()) mistakes.gather([&] { choose_rate(); });
     mistakes.settle();
-    find_volume_of_flow();
+    find_other();
+    chosen_.unit_by_user = !options_.unit.empty();
     chosen_.channels =
         choose_channels(recording_, chosen_.all, chosen_.value, chosen_.time, options_.channels);
     return chosen_;
@@ -144,7 +152,8 @@ class ColumnChoice {
       throw InputError(
           {fmt::format("{} {}", option, given)},
           of_time ? "this is not a known unit of time" : "this is not a known unit of volume or flow",
-          of_time ? "a unit such as s, ms or min" : "a unit such as ml, L, L/s, L/min or ml/s");
+          of_time ? "a unit such as s, ms or min" : "a unit such as ml, L, L/s, L/min or ml/s",
+          looks_like_unit(given) ? "write a factor before the unit, as in '10 ml'" : "");
   }
 
   // The unit of an option replaces the unit of the file. A note reports a difference.
@@ -156,6 +165,19 @@ class ColumnChoice {
       chosen_.notes.push_back(fmt::format("{} is read in {}, as {} says, not in {}", word_and_name(i), given,
                                           option, column.unit));
     column.set(*unit);
+  }
+
+  void require_clear(Index i, Quantity wanted) const {
+    const std::string given = chosen_.all[i].doubtful_unit();
+    if (given.empty()) return;
+    fail(fmt::format("the unit {} of the chosen {} is not known or not clear", excerpt(given),
+                     word_and_name(i)),
+         fmt::format("one unit of {}", quantity_name(wanted)), how_to_give_a_unit(wanted));
+  }
+
+  void note_factor(Index i) {
+    const std::string note = find_.note_of_factor(i, chosen_.all[i].unit);
+    if (!note.empty()) chosen_.notes.push_back(note);
   }
 
   // ---- the time ----
@@ -172,7 +194,8 @@ class ColumnChoice {
     if (!chosen_.time) return require_any_rate();
     apply_unit(*chosen_.time, options_.time_unit, "--time-unit");
     ColumnName& column = chosen_.all[*chosen_.time];
-    if (column.quantity == Quantity::time) return;
+    require_clear(*chosen_.time, Quantity::time);
+    if (column.quantity == Quantity::time) return note_factor(*chosen_.time);
     if (column.quantity != Quantity::unknown)
       fail(fmt::format("the chosen time {} is in {} and not in a unit of time", word_and_name(*chosen_.time),
                        column.unit),
@@ -224,7 +247,8 @@ class ColumnChoice {
     apply_unit(i, options_.unit, "--unit");
     const Quantity wanted = kind == SignalKind::flow ? Quantity::flow : Quantity::volume;
     const ColumnName& column = chosen_.all[i];
-    if (column.quantity == wanted) return;
+    require_clear(i, wanted);
+    if (column.quantity == wanted) return note_factor(i);
     const std::string what = quantity_name(wanted);
     if (column.quantity == Quantity::unknown)
       fail(fmt::format("the chosen {} has no unit of {}", word_and_name(i), what),
@@ -249,6 +273,11 @@ class ColumnChoice {
       note_choice(i, "belt, in its own unit");
       return take(i, SignalKind::belt);
     }
+    if (const std::string given = column.doubtful_unit(); !given.empty())
+      fail(fmt::format("the chosen {} does not end in a unit of volume or flow: the unit {} of it is not "
+                       "known or not clear",
+                       word_and_name(i), excerpt(given)),
+           fmt::format("a name like {}", signal_names), how_to_give_a_unit(Quantity::flow));
     fail(fmt::format("the chosen {} does not end in a unit of volume or flow", word_and_name(i)),
          fmt::format("a name like {}", signal_names),
          "add the unit, as in --unit L/s, or choose it with --belt");
@@ -298,17 +327,19 @@ class ColumnChoice {
     missing("volume or flow", fmt::format("one of {}", signal_names), hint, "--flow, --volume or --belt");
   }
 
-  // A flow's sign shows in a volume beside it, if there is only one.
-  void find_volume_of_flow() {
-    if (chosen_.kind != SignalKind::flow) return;
+  // A flow and a volume of one recording show each other's sign and scale, if there is one of the other kind.
+  void find_other() {
+    if (chosen_.kind == SignalKind::belt) return;
+    const bool flow = chosen_.kind == SignalKind::flow;
+    const Quantity quantity = flow ? Quantity::volume : Quantity::flow;
     for (Index i = 0; i < chosen_.all.size(); ++i) {
       const ColumnName& c = chosen_.all[i];
-      const Channel &one = recording_.channels[i], &flow = recording_.channels[chosen_.value];
-      const bool volume = c.quantity == Quantity::volume || c.quantity == Quantity::unknown;
-      if (i == chosen_.value || !volume || role_of(c) != Role::volume) continue;
-      if (one.rate_hz != flow.rate_hz || one.samples != flow.samples) continue;
-      if (chosen_.volume) return chosen_.volume.reset();
-      chosen_.volume = i;
+      const Channel &one = recording_.channels[i], &signal = recording_.channels[chosen_.value];
+      const bool fits = c.quantity == quantity || c.quantity == Quantity::unknown;
+      if (i == chosen_.value || !fits || role_of(c) != (flow ? Role::volume : Role::flow)) continue;
+      if (one.rate_hz != signal.rate_hz || one.samples != signal.samples) continue;
+      if (chosen_.other) return chosen_.other.reset();
+      chosen_.other = i;
     }
   }
 

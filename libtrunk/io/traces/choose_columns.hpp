@@ -20,7 +20,8 @@ struct TraceColumns {
   std::size_t value = 0;
   SignalKind kind = SignalKind::volume;
   std::optional<std::size_t> sigma;
-  std::optional<std::size_t> volume;  ///< that shows the sign of a flow; its unit does not matter
+  std::optional<std::size_t> other;  ///< the volume beside a flow, or the flow beside a volume
+  bool unit_by_user = false;         ///< --unit gives that of the signal
   ChosenChannels channels;
   std::vector<std::string> notes;  ///< messages about the choice
 };

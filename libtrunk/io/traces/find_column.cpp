@@ -22,6 +22,12 @@ std::string ColumnFinder::word_and_name(std::size_t column) const {
   return fmt::format("{} {}", recording_.word, excerpt(columns_[column].text));
 }
 
+std::string ColumnFinder::note_of_factor(std::size_t column, const std::string& unit) const {
+  const auto space = unit.find(' ');
+  if (space == std::string::npos) return "";
+  return fmt::format("one in {} is {}, as its unit says", word_and_name(column), spoken_unit(unit));
+}
+
 void ColumnFinder::fail(std::string found, std::string expected, std::string remedy) const {
   throw InputError({recording_.source, recording_.header_line}, std::move(found), std::move(expected),
                    std::move(remedy));

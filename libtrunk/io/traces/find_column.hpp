@@ -41,6 +41,9 @@ class ColumnFinder {
   /// Returns "column 'flow'".
   std::string word_and_name(std::size_t column) const;
 
+  /// Returns a note about the factor in the unit of a column, or "".
+  std::string note_of_factor(std::size_t column, const std::string& unit) const;
+
   /// Throws an error about the header.
   [[noreturn]] void fail(std::string found, std::string expected, std::string remedy) const;
 

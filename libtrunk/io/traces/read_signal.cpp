@@ -12,6 +12,7 @@ TraceOptions trace_options(const SignalOptions& given) {
   options.time_unit = given.time_unit;
   options.rate_hz = given.rate_hz;
   options.invert = given.invert;
+  options.remove_drift = given.remove_drift;
   options.channels = given.channels;
   if (!given.flow.empty()) options.kind = SignalKind::flow;
   if (!given.volume.empty()) options.kind = SignalKind::volume;

@@ -12,7 +12,7 @@ struct SignalOptions {
   std::string time, signal, flow, volume, belt;  ///< columns; at most one of the last four is given
   std::string unit, time_unit;
   double rate_hz = 0;
-  bool invert = false;
+  bool invert = false, remove_drift = false;
   ChannelOptions channels;
 };
 

@@ -7,7 +7,7 @@
 #include "math/units.hpp"
 #include "recordings/open_recording.hpp"
 #include "text/message_text.hpp"
-#include "traces/flow_sign.hpp"
+#include "traces/check_other.hpp"
 #include "traces/raw_samples.hpp"
 #include "traces/read_channel.hpp"
 #include "traces/sample_times.hpp"
@@ -47,38 +47,6 @@ void check_positive(const std::vector<double>& sigma_m3, const RawSamples& sampl
   mistakes.settle();
 }
 
-void turn(Trace& trace) {
-  for (double& value : trace.value) value = -value;
-}
-
-// Lets the volume beside a flow show its sign. => trace
-void settle_sign(Recording& recording, const TraceColumns& columns, std::size_t first, Trace& trace) {
-  if (trace.inverted_by_user) turn(trace);
-  if (!columns.volume) return;
-  constexpr double clear = 0.5;
-  const std::size_t chosen[] = {*columns.volume};
-  const auto values = recording.read(chosen).values[0];
-  const auto begin = values.begin() + static_cast<std::ptrdiff_t>(first);
-  const double agreement = flow_along_volume(
-      trace.time_s, trace.value, {begin, begin + static_cast<std::ptrdiff_t>(trace.time_s.size())});
-  if (std::abs(agreement) < clear) return;
-  const std::string flow = excerpt(columns.all[columns.value].text),
-                    volume = excerpt(columns.all[*columns.volume].text);
-  if (agreement < 0 && trace.inverted_by_user) {
-    trace.notes.push_back(
-        fmt::format("--invert turns flow {} against volume {} (correlation {:.2f}): is it needed?", flow,
-                    volume, agreement));
-    return;
-  }
-  trace.sign = SignShownBy::volume;
-  if (agreement > 0) return;
-  turn(trace);
-  trace.notes.push_back(
-      fmt::format("flow {} is negative on inspiration and is turned: it runs against volume {} "
-                  "(correlation {:.2f}; 0 would show nothing, -1 is clearest)",
-                  flow, volume, agreement));
-}
-
 // Adds the channels beside the signal. => trace
 void add_channels(Recording& recording, const TraceColumns& columns, std::size_t first, Trace& trace) {
   Mistakes mistakes;
@@ -112,7 +80,8 @@ Trace read_trace(const std::filesystem::path& path, const TraceOptions& options)
   mistakes.gather([&] { check_positive(trace.sigma_m3, samples); });
   mistakes.settle();
   trace.inverted_by_user = options.invert;
-  settle_sign(*recording, columns, samples.first(), trace);
+  trace.drift_by_user = options.remove_drift;
+  check_other(*recording, columns, samples.first(), trace);
   add_channels(*recording, columns, samples.first(), trace);
   return trace;
 }

@@ -103,6 +103,28 @@ void check_rate(double step, const RawSamples& samples, const ColumnName* column
         "{} samples a second are more than breathing needs; is the unit of time right?", number_text(rate)));
 }
 
+// Says where the sampling rate changes: by the mean rates of twenty parts, which jitter hardly moves.
+void note_rates(const Times& time, std::vector<std::string>& notes) {
+  constexpr std::size_t parts = 20, fewest = 20;
+  constexpr double most = 1.3;
+  if (time.size() < parts * fewest) return;
+  std::vector<double> rates;
+  for (std::size_t k = 0; k < parts; ++k) {
+    const std::size_t first = k * (time.size() - 1) / parts, end = (k + 1) * (time.size() - 1) / parts;
+    rates.push_back(static_cast<double>(end - first) / (time[end] - time[first]));
+  }
+  const double usual = upper_median(rates), first = rates.front(), last = rates.back();
+  if (std::max(first, last) < most * std::min(first, last)) return;
+  std::size_t k = 0;
+  while (k + 1 < parts && std::abs(std::log(rates[k] / first)) < std::abs(std::log(rates[k] / last))) ++k;
+  const auto at =
+      static_cast<std::size_t>(static_cast<double>(k) / parts * static_cast<double>(time.size() - 1));
+  notes.push_back(fmt::format(
+      "the sampling rate changes near {} s from {} to {} samples a second (usual: {}): are the "
+      "times of both parts in one unit?",
+      number_text(time[at], 3), number_text(first, 3), number_text(last, 3), number_text(usual, 3)));
+}
+
 }  // namespace
 
 void check_increases(const Times& time, const RawSamples& samples, const ColumnName& column) {
@@ -131,6 +153,7 @@ void settle_times(std::vector<double>& time_s, const RawSamples& samples, const 
   mistakes.gather([&] { check_rate(step, samples, column, notes); });
   mistakes.gather([&] { check_gaps(time_s, step, samples); });
   mistakes.settle();
+  if (column) note_rates(time_s, notes);
 }
 
 }  // namespace trunk

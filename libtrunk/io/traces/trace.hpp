@@ -29,6 +29,7 @@ struct Trace {
   std::vector<TraceChannel> channels;     ///< at most one of each kind; none: the signal alone
   SignShownBy sign = SignShownBy::shape;  ///< volume: a flow goes with the volume beside it
   bool inverted_by_user = false;
+  bool drift_by_user = false;           ///< the user says that a drift as large as a breath is one
   std::optional<double> excursion_m{};  ///< of a dome from end-expiration to end-inspiration, if one number
 };
 
@@ -42,6 +43,7 @@ struct TraceOptions {
   std::string time_unit;           ///< "ms"; empty: as in the file, or else s
   double rate_hz = 0;              ///< samples per second if there are no times; 0: as in the file
   bool invert = false;             ///< the sign of the signal is turned
+  bool remove_drift = false;       ///< a drift as large as a breath is one
   ChannelOptions channels;
 };
 
