@@ -15,6 +15,13 @@ double noise_deviation(std::span<const double> signal) {
   return median(std::move(differences)) / (0.6745 * std::sqrt(70.0));
 }
 
+double quantile(std::vector<double> values, double part) {
+  const auto nth =
+      values.begin() + static_cast<std::ptrdiff_t>(part * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), nth, values.end());
+  return *nth;
+}
+
 std::vector<double> moving_average(std::span<const double> signal, std::size_t width) {
   if (width <= 1) return {signal.begin(), signal.end()};
   const std::size_t n = signal.size();

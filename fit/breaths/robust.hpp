@@ -11,6 +11,9 @@ namespace trunk {
 /// ignores jumps.
 double noise_deviation(std::span<const double> signal);
 
+/// Returns the value below which a part (0 to 1) of all values lies. values: [1 or more].
+double quantile(std::vector<double> values, double part);
+
 /// Returns the centred moving average over `width` samples (odd). The width shrinks towards the ends, so the
 /// average shifts nothing in time.
 std::vector<double> moving_average(std::span<const double> signal, std::size_t width);

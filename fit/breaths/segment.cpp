@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "breaths/doubts.hpp"
 #include "breaths/landmarks.hpp"
 #include "breaths/median_of.hpp"
+#include "breaths/one_way.hpp"
 #include "breaths/plausibility.hpp"
 #include "breaths/volume_signal.hpp"
 #include "breaths/whole_breaths.hpp"
@@ -163,6 +165,7 @@ void add_notes(Segmentation& result, double drift_of_tidal_volume) {
 Segmentation segment_breaths(const Trace& trace, const BreathSelection& selection) {
   VolumeSignal signal = volume_signal(trace);
   const WholeBreaths found = whole_breaths(signal.time_s, signal.volume);
+  check_both_ways(trace, found, signal);
   check_any(trace, found);
   const Landmarks marks = landmarks(signal.time_s, signal.volume, found);
   subtract_baseline(signal, marks.rest, found.drift);
@@ -183,6 +186,11 @@ Segmentation segment_breaths(const Trace& trace, const BreathSelection& selectio
   check_period(trace, period);
   check_samples(trace, period);
   if (result.calibrated && !selection.calibrate_tidal_volume_m3) check_tidal_volume(trace, volume, period);
+
+  check_not_abrupt(result);
+  const bool known = result.calibrated && !selection.calibrate_tidal_volume_m3;
+  for (std::string& doubt : doubts(trace, result.volume_m3, known, volume, period))
+    result.notes.push_back(std::move(doubt));
 
   const auto shifts = shifts_of(marks, found.drift);
   judge(result, shifts, selection);

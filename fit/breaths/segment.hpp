@@ -34,10 +34,10 @@ struct Segmentation {
 /// where it began while the median breath and both neighbours do not (all our choice). It is no error if all
 /// breaths are rejected; mean_breath then throws.
 ///
-/// Throws InputError if the signal is constant, has no whole breath, has a median period outside 0.8 to 30 s
-/// or under 6 samples, or a median tidal volume outside 30 to 6000 ml (see plausibility.hpp; the volume is
-/// not checked for a belt or if a tidal volume is given), or if the selection names a breath that does not
-/// exist.
+/// Throws InputError if the signal is constant, hardly comes back (see one_way.hpp), has no whole breath, has
+/// a median period outside 0.8 to 30 s or under 6 samples, or a median tidal volume outside 30 to 6000 ml
+/// (see plausibility.hpp; the volume is not checked for a belt or if a tidal volume is given), or if the
+/// selection names a breath that does not exist.
 Segmentation segment_breaths(const Trace& trace, const BreathSelection& selection = {});
 
 }  // namespace trunk

@@ -37,30 +37,23 @@ void check_varies(const Trace& trace) {
 // range a quarter as wide. A smooth top has half of them there, and a sharp top a quarter (our choice: 65 %
 // of them, and 1 % of all samples). A level that the signal reaches by a jump, like a ventilator's constant
 // flow, does not count.
-std::string saturation(const Trace& trace, double extreme, double range, const std::string& which) {
+std::string saturation(const Trace& trace, const std::vector<double>& values, double extreme, double range,
+                       const std::string& which) {
   const auto within = [&](std::size_t i, double distance) {
-    return std::abs(trace.value[i] - extreme) <= distance * range;
+    return std::abs(values[i] - extreme) <= distance * range;
   };
   double near = 0, wide = 0, jumps = 0, entries = 0;
-  for (std::size_t i = 0; i < trace.value.size(); ++i) {
+  for (std::size_t i = 0; i < values.size(); ++i) {
     near += within(i, 0.01) ? 1 : 0;
     wide += within(i, 0.04) ? 1 : 0;
     if (i == 0 || !within(i, 0.01) || within(i - 1, 0.01)) continue;
     ++entries;
     jumps += i == 1 || within(i - 2, 0.2) ? 0 : 1;
   }
-  const double part = near / static_cast<double>(trace.value.size());
+  const double part = near / static_cast<double>(values.size());
   if (near < 5 || part < 0.01 || near < 0.65 * wide || jumps > 0.5 * entries) return "";
   return number_text(100 * part, 2) + " % of the samples lie at the " + which + " value, " +
          value_text(trace, extreme) + ": the signal is clipped, or held there";
-}
-
-void note_saturation(const Trace& trace, std::vector<std::string>& notes) {
-  const auto [low, high] = std::minmax_element(trace.value.begin(), trace.value.end());
-  notes.push_back(saturation(trace, *high, *high - *low, "highest"));
-  // A volume may rest at its lowest value, so only a flow is checked there.
-  if (trace.kind == SignalKind::flow) notes.push_back(saturation(trace, *low, *high - *low, "lowest"));
-  std::erase(notes, "");
 }
 
 // Returns the range without the outer 5 % on either side, so that a few wild samples do not change it.
@@ -72,6 +65,16 @@ double central_range(std::vector<double> values) {
   };
   const double low = at(0.05);
   return at(0.95) - low;
+}
+
+// The values are without spikes, and a long one must not widen what counts as near.
+void note_saturation(const Trace& trace, const std::vector<double>& values, std::vector<std::string>& notes) {
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  const double range = std::min(*high - *low, 2 * central_range(values));
+  notes.push_back(saturation(trace, values, *high, range, "highest"));
+  // A volume may rest at its lowest value, so only a flow is checked there.
+  if (trace.kind == SignalKind::flow) notes.push_back(saturation(trace, values, *low, range, "lowest"));
+  std::erase(notes, "");
 }
 
 // Returns the sizes of the three steps on either side of the steps [skip_first, skip_last]; step i goes from
@@ -164,12 +167,12 @@ std::size_t remove_resets(std::vector<double>& volume) {
 VolumeSignal volume_signal(const Trace& trace) {
   check_varies(trace);
   VolumeSignal signal{trace.time_s, trace.value, {}};
-  note_saturation(trace, signal.notes);
+  const std::size_t spikes = repair_spikes(signal.time_s, signal.volume);
+  note_saturation(trace, signal.volume, signal.notes);
   const auto note = [&](std::size_t count, const std::string& what) {
     if (count > 0) signal.notes.push_back(std::to_string(count) + " " + what);
   };
-  note(repair_spikes(signal.time_s, signal.volume),
-       "spike(s) replaced by a line between the samples beside them");
+  note(spikes, "spike(s) replaced by a line between the samples beside them");
   if (trace.kind == SignalKind::flow)
     signal.volume = integrated(signal.time_s, signal.volume);
   else

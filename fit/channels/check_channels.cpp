@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "channels/doubt_pressures.hpp"
 #include "clinic/lung_mechanics.hpp"
 #include "math/units.hpp"
 #include "text/message_text.hpp"
@@ -97,6 +98,7 @@ void check_difference(const MeasuredBreath& breath, const std::string& source) {
       std::max(least_difference_cmH2O * Pa_per_cmH2O, difference_of_swing * swing_of(across->value));
   if (deviation(1) <= limit) return;
   const bool turned = deviation(-1) <= limit;
+  const std::string unit = other_unit_of_three(breath);
   throw InputError(
       {source},
       fmt::format(
@@ -105,8 +107,9 @@ void check_difference(const MeasuredBreath& breath, const std::string& source) {
           excerpt(across->column), excerpt(gastric->column), excerpt(pleural->column),
           number_text(deviation(1) / Pa_per_cmH2O, 3)),
       fmt::format("at most {} cmH2O", number_text(limit / Pa_per_cmH2O, 3)),
-      turned ? "its sign is reversed: --invert-channel pdi"
-             : "correct the columns, or leave one of them out, as in --pdi none");
+      turned          ? "its sign is reversed: --invert-channel pdi"
+      : !unit.empty() ? unit
+                      : "correct the columns, or leave one of them out, as in --pdi none");
 }
 
 void check_across_sign(const MeasuredBreath& breath, const std::string& source) {

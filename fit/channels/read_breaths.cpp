@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "channels/check_channels.hpp"
+#include "channels/doubt_pressures.hpp"
 #include "gates/upside_down.hpp"
 #include "math/units.hpp"
 #include "text/message_text.hpp"
@@ -49,6 +50,7 @@ Segmentation breaths_of(Trace trace, const BreathSelection& selection) {
     }
     if (sign.clear && sign.rises) s.sign = SignShownBy::pressure;
   }
+  for (std::string& doubt : doubt_pressures(mean)) s.notes.push_back(std::move(doubt));
   for (const MeasuredChannel& channel : mean.channels)
     s.notes.insert(s.notes.end(), channel.notes.begin(), channel.notes.end());
   return s;

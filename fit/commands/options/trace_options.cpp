@@ -51,8 +51,10 @@ void add_signal_options(CLI::App& command, SignalOptions& options) {
     for (CLI::Option* other : signals)
       if (one < other) one->excludes(other);
   command
-      .add_option("--unit", options.unit,
-                  "Gives the unit of the signal if the header has none: L/s, L/min, ml or L.")
+      .add_option(
+          "--unit", options.unit,
+          "Gives the unit of the signal if the header has none or a wrong one: L/s, L/min, ml, L, or one "
+          "with a factor such as '0.1 L/min'.")
       ->type_name("UNIT")
       ->group(group);
   command
@@ -69,6 +71,12 @@ void add_signal_options(CLI::App& command, SignalOptions& options) {
       ->excludes(time);
   command
       .add_flag("--invert", options.invert, "Reverses the sign of a signal that is positive on expiration.")
+      ->group(group);
+  command
+      .add_flag("--remove-drift", options.remove_drift,
+                "Takes a drift as large as a breath for an offset of the sensor, and removes it. Without it, "
+                "such a "
+                "signal is refused, since it may be a counter or a flow without its sign.")
       ->group(group);
   add_channel_options(command, options.channels);
 }

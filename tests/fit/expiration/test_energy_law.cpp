@@ -146,7 +146,8 @@ TEST_CASE("The spread of breaths moves a recoil time less that something else kn
   for (const double l : logs) mean += l / repeats;
   for (const double l : logs) squares += (l - mean) * (l - mean) / (repeats - 1);
   const double spread = std::sqrt(squares);
-  CHECK(median(errors) > spread);  // the law is not normal: its weight is that at the middle, and a little too large
+  CHECK(median(errors) >
+        spread);  // the law is not normal: its weight is that at the middle, and a little too large
   CHECK(median(errors) < 1.6 * spread);
 }
 

@@ -253,17 +253,21 @@ TEST_CASE("Sizes are judged against the trunk", "[unit][gates]") {
   CHECK(fired(volume_trace(infant), std::nullopt) == std::set<std::string>{});
 }
 
-TEST_CASE("A flow without its sign and a volume that counts up are no breathing", "[unit][gates]") {
+TEST_CASE("What does not return is no breathing, even if the user says that it drifts", "[unit][gates]") {
   Record record;
   record.breaths.resize(14);
   Trace rectified = flow_trace(record, 0);
   for (double& flow : rectified.value) flow = std::abs(flow);
+  CHECK_THROWS_AS(segment_breaths(rectified), InputError);
+  rectified.drift_by_user = true;
   CHECK(fired(rectified).contains("not_a_breathing_signal"));
   CHECK_FALSE(fired(flow_trace(record, 0)).contains("not_a_breathing_signal"));
   const Trace plain = volume_trace(record);
   Trace counted = plain;
   for (std::size_t i = 1; i < counted.value.size(); ++i)
     counted.value[i] = counted.value[i - 1] + std::max(plain.value[i] - plain.value[i - 1], 0.0);
+  CHECK_THROWS_AS(segment_breaths(counted), InputError);
+  counted.drift_by_user = true;
   CHECK(fired(counted).contains("not_a_breathing_signal"));
 }
 
@@ -285,8 +289,8 @@ TEST_CASE("Recordings fire the gates that they should", "[shared][gates]") {
   CHECK(fired_by_file("cases/traces/vc_square.csv") == Names{"machine_driven"});
   CHECK(fired_by_file("cases/traces/inverted.csv") == Names{"upside_down"});
   CHECK(fired_by_file("cases/traces/infant35.csv") == Names{"subject_size"});
-  CHECK(fired_by_file("cases/traces/rectified.csv") == Names{"not_a_breathing_signal"});
-  CHECK(fired_by_file("cases/traces/vcum.csv") == Names{"not_a_breathing_signal"});
+  for (const char* name : {"rectified.csv", "vcum.csv"})
+    CHECK_THROWS_AS(fired_by_file("cases/traces/" + std::string(name)), InputError);
   for (const char* name :
        {"traces/cant_Subject01_0cmH2O_0mL.csv", "traces/cant_Subject03_0cmH2O_0mL.csv", "cases/fits/fast.csv",
         "cases/fits/rc_tau0.30.csv", "cases/fits/rc_tau0.60.csv", "cases/fits/rohrer.csv",

@@ -1,0 +1,80 @@
+#include "breaths/doubts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "breaths/robust.hpp"
+#include "math/units.hpp"
+#include "text/message_text.hpp"
+
+namespace trunk {
+namespace {
+
+constexpr double small_m3 = 150e-6, slow_s = 2.5;
+constexpr double beyond_lungs_m3 = 12e-3, drifting = 0.5;
+constexpr double outer_part = 0.05, breaths_of_piece = 2, change_of_size = 8;
+constexpr std::size_t shortest = 2;
+
+std::string little_air(double tidal_volume_m3, double period_s) {
+  if (!(tidal_volume_m3 > 0 && tidal_volume_m3 < small_m3 && period_s > slow_s)) return "";
+  return fmt::format(
+      "breaths of {:.0f} ml that last {:.1f} s move {:.1f} L/min: an adult needs more, and an infant "
+      "breathes faster; is the unit right?",
+      ml_per_m3 * tidal_volume_m3, period_s, litres_per_m3 * tidal_volume_m3 * s_per_min / period_s);
+}
+
+std::string beyond_lungs(const Trace& trace) {
+  if (trace.kind != SignalKind::volume) return "";
+  const auto [low, high] = std::minmax_element(trace.value.begin(), trace.value.end());
+  const double least = *low > 0 ? *low : -*high;  // positive if the sign never changes
+  if (least < beyond_lungs_m3 || *high - *low > drifting * least) return "";
+  return fmt::format("the volume lies between {} and {} L, more than lungs hold: is the column a volume?",
+                     number_text(litres_per_m3 * *low, 3), number_text(litres_per_m3 * *high, 3));
+}
+
+// Returns the range of a piece of a volume without the line through its ends.
+double size_of(const std::vector<double>& time, const std::vector<double>& volume, std::size_t first,
+               std::size_t end) {
+  const double slope = (volume[end - 1] - volume[first]) / (time[end - 1] - time[first]);
+  std::vector<double> level;
+  for (std::size_t i = first; i < end; ++i) level.push_back(volume[i] - slope * (time[i] - time[first]));
+  return quantile(level, 1 - outer_part) - quantile(level, outer_part);
+}
+
+std::string other_unit(const Trace& trace, const std::vector<double>& volume, double period_s) {
+  const std::vector<double>& time = trace.time_s;
+  std::vector<double> size, begin_s;
+  for (std::size_t first = 0, i = 0; i < time.size(); ++i) {
+    if (time[i] - time[first] < breaths_of_piece * period_s) continue;
+    size.push_back(size_of(time, volume, first, i));
+    begin_s.push_back(time[first]);
+    first = i;
+  }
+  for (std::size_t k = shortest; k + shortest <= size.size(); ++k) {
+    const auto middle = size.begin() + static_cast<std::ptrdiff_t>(k);
+    const auto [low, high] = std::minmax_element(size.begin(), middle);
+    const auto [low_after, high_after] = std::minmax_element(middle, size.end());
+    const double smaller = *low / *high_after, larger = *low_after / *high;
+    if (smaller <= change_of_size && larger <= change_of_size) continue;
+    return fmt::format(
+        "from about {} s on, what moves is {} times as {} as before: does the unit change there, or is it a "
+        "pause? give each part as a file of its own",
+        number_text(begin_s[k], 3), number_text(std::min(std::max(smaller, larger), 1e6), 2),
+        smaller > larger ? "small" : "large");
+  }
+  return "";
+}
+
+}  // namespace
+
+std::vector<std::string> doubts(const Trace& trace, const std::vector<double>& volume_m3, bool calibrated,
+                                double tidal_volume_m3, double period_s) {
+  std::vector<std::string> found{calibrated ? little_air(tidal_volume_m3, period_s) : "", beyond_lungs(trace),
+                                 other_unit(trace, volume_m3, period_s)};
+  std::erase(found, "");
+  return found;
+}
+
+}  // namespace trunk

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "traces/trace.hpp"
+
+namespace trunk {
+
+/// Returns what looks odd about a trace and may still be right, a sentence each:
+///
+/// * breaths under 150 ml that take more than 2.5 s: an infant breathes faster, an adult more;
+/// * a volume that stays beyond 12 L and drifts by less than half of that: no lung holds so much, but a
+///   temperature of 34 °C looks like it;
+/// * a volume that is 8 times as large in one part of the recording as in the rest, before or after: its unit
+///   may have changed. Its size is the range from the 5th to the 95th percentile, without a line, in each
+///   piece of two breaths; both parts last two pieces at least.
+///
+/// `volume_m3` is the volume of the trace. Its size is not judged unless it is `calibrated`. All limits are
+/// our choice.
+std::vector<std::string> doubts(const Trace& trace, const std::vector<double>& volume_m3, bool calibrated,
+                                double tidal_volume_m3, double period_s);
+
+}  // namespace trunk
