@@ -61,7 +61,7 @@ std::string other_unit(const Trace& trace, const std::vector<double>& volume, do
     return fmt::format(
         "from about {} s on, what moves is {} times as {} as before: does the unit change there, or is it a "
         "pause? give each part as a file of its own",
-        number_text(begin_s[k], 3), number_text(std::min(std::max(smaller, larger), 1e6), 2),
+        number_text(begin_s[k], 3), number_text(std::min(std::max(smaller, larger), 1e3), 2),
         smaller > larger ? "small" : "large");
   }
   return "";

@@ -17,7 +17,8 @@ namespace {
 
 constexpr double wide_step_s = 0.1, least_return = 1.0 / 3, most_drift = 1.25;
 constexpr std::size_t fewest_steps = 10;
-constexpr double still = 0.05, rests_from = 0.25;  // of the strong steps; of all steps
+constexpr double still = 0.05, small_offset = 0.15;                         // of the strong steps
+constexpr double short_rest = 0.25, long_rest = 0.45, levelled_from = 0.4;  // of all steps
 constexpr double strong_step = 0.9, lowest_part = 0.05;
 constexpr double abrupt_s = 0.12, long_breath_s = 2, nearly_empty = 0.1, nearly_full = 0.9;
 
@@ -69,23 +70,56 @@ Way usual_way(const WideSteps& steps, const std::vector<double>& begin_s) {
   return *middle;
 }
 
-// Returns the part of the steps in which nothing moves.
-double still_part(const std::vector<double>& moved) {
+// The narrowest range that holds a share of all values.
+struct Narrowest {
+  double middle, width;
+};
+
+Narrowest narrowest(std::vector<double> values, double share) {
+  std::sort(values.begin(), values.end());
+  const auto count = static_cast<std::size_t>(share * static_cast<double>(values.size() - 1));
+  std::size_t first = 0;
+  for (std::size_t i = 1; i + count < values.size(); ++i)
+    if (values[i + count] - values[i] < values[first + count] - values[first]) first = i;
+  return {0.5 * (values[first] + values[first + count]), values[first + count] - values[first]};
+}
+
+double strong_of(const std::vector<double>& moved) {
   std::vector<double> sizes;
   for (const double m : moved) sizes.push_back(std::abs(m));
-  const double least = still * quantile(sizes, strong_step);
-  return static_cast<double>(std::count_if(sizes.begin(), sizes.end(), [&](double m) { return m < least; })) /
-         static_cast<double>(sizes.size());
+  return quantile(std::move(sizes), strong_step);
+}
+
+// Returns whether a volume rests for a share of the time, apart from a small offset of its flow.
+bool rests(const std::vector<double>& moved, double share) {
+  const double strong = strong_of(moved);
+  const Narrowest usual = narrowest(moved, share);
+  return usual.width <= 2 * still * strong && std::abs(usual.middle) <= small_offset * strong;
 }
 
 std::string look_of_flow(const WideSteps& steps, double sign) {
   std::vector<double> forward;
   for (const double m : steps.signal) forward.push_back(sign * m);
-  if (still_part(steps.moved) >= rests_from)
+  if (rests(steps.moved, long_rest))
     return "it rests at zero in between, as if only one direction were recorded";
   if (quantile(forward, lowest_part) > 2 * still * quantile(forward, strong_step))
     return "it stays away from zero, as with an offset of the sensor";
-  return "it comes back to zero and turns there, as if its sign were lost";
+  return rests(steps.moved, short_rest)
+             ? "it rests at zero in between, as if its sign were lost or only one direction were recorded"
+             : "it comes back to zero and turns there, as if its sign were lost";
+}
+
+// Returns a doubt if a volume moves at one rate for so long that a counter, or a flow of one direction, may
+// have been levelled.
+std::string levelled(const WideSteps& steps) {
+  const double strong = strong_of(steps.moved);
+  const Narrowest usual = narrowest(steps.moved, levelled_from);
+  if (usual.width > 2 * still * strong || std::abs(usual.middle) <= small_offset * strong) return "";
+  return fmt::format(
+      "the volume {} at one rate for {:.0f} % of the time or more, as if a counter or a flow of one "
+      "direction "
+      "had been levelled: are both directions recorded?",
+      usual.middle > 0 ? "rises" : "falls", percent_per_one * levelled_from);
 }
 
 InputError one_way(const Trace& trace, const WideSteps& steps, const Way& way) {
@@ -99,7 +133,7 @@ InputError one_way(const Trace& trace, const WideSteps& steps, const Way& way) {
             "a flow that is positive on inspiration and negative on expiration",
             "export the flow with its sign, or a volume that rises and falls; if the sensor has an offset, "
             "--remove-drift takes it away"};
-  const bool counts = still_part(steps.moved) >= rests_from;
+  const bool counts = rests(steps.moved, short_rest);
   return {{trace.source},
           fmt::format("the {} {} and hardly comes back: it {} by {:.0f} % of that; {}",
                       trace.kind == SignalKind::belt ? "belt" : "volume", up ? "rises" : "falls",
@@ -151,7 +185,10 @@ void check_both_ways(const Trace& trace, const WholeBreaths& breaths, VolumeSign
   std::vector<double> begin_s;
   for (std::size_t i = 0; i < breaths.peak.size(); ++i) begin_s.push_back(signal.time_s[breaths.trough[i]]);
   const Way way = usual_way(steps, begin_s);
-  if (way.returned() >= least_return && std::abs(way.net()) < most_drift * breaths.height) return;
+  if (way.returned() >= least_return && std::abs(way.net()) < most_drift * breaths.height) {
+    if (std::string doubt = levelled(steps); !doubt.empty()) signal.notes.push_back(std::move(doubt));
+    return;
+  }
   const InputError error = one_way(trace, steps, way);
   if (!trace.drift_by_user) throw error;
   signal.notes.push_back("--remove-drift takes away a drift as large as a breath, though " +

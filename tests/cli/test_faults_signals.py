@@ -32,7 +32,7 @@ class Refused(TrunkTest):
         rows = table("time_s,flow_L_s", FLOWS).splitlines()
         for name, text, says in (
             ("no sign", table("time_s,flow_L_s", [abs(q) for q in FLOWS]),
-             ("the flow goes one way", "as if its sign were lost", "export the flow with its sign")),
+             ("the flow goes one way", "its sign were lost", "export the flow with its sign")),
             ("one direction", table("time_s,flow_L_s", [max(q, 0) for q in FLOWS]), ("only one direction",)),
             ("offset", table("time_s,flow_L_s", [q + 2 for q in FLOWS]), ("offset of the sensor", "--remove-drift")),
             ("counter", table("time_s,volume_ml", counted(VOLUMES)), ("hardly comes back", "counter of one direction")),

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
+#include <array>
 
 #include "tables/column_vocabulary.hpp"
 #include "text/edit_distance.hpp"
@@ -79,15 +79,40 @@ bool is_number(std::string_view part) {
   return !part.empty() && part.find_first_not_of("0123456789") == std::string_view::npos;
 }
 
-// Returns whether a name without its unit ends in what may be a factor: "flow_10", "flow_0_1", "flow_x10". A
-// single digit is the number of a channel.
-bool ends_in_factor(std::string_view base) {
+bool is_word_of_factor(std::string_view part) {
+  constexpr std::array<std::string_view, 20> words{
+      "of",         "times", "tenths",  "hundredths",  "thousandths", "tenth", "hundredth",
+      "thousandth", "milli", "micro",   "deci",        "centi",       "hecto", "hekto",
+      "kilo",       "deca",  "zehntel", "hundertstel", "tausend",     "mal"};
+  return std::find(words.begin(), words.end(), part) != words.end();
+}
+
+// Returns whether a sign of multiplication stands beside a digit: "0.1*Flow", "Flow ×10".
+bool has_product(std::string_view text) {
+  const auto is_digit_at = [&](std::size_t i) { return i < text.size() && text[i] >= '0' && text[i] <= '9'; };
+  for (const std::string_view sign : {"*", "×", "÷"})
+    for (auto at = text.find(sign); at != std::string_view::npos; at = text.find(sign, at + 1)) {
+      const auto before = at > 0 ? text.find_last_not_of(' ', at - 1) : std::string_view::npos;
+      const auto after = text.find_first_not_of(" .", at + sign.size());
+      if (is_digit_at(before) || is_digit_at(after)) return true;
+    }
+  return false;
+}
+
+// Returns whether a name without its unit has what may be a factor: "flow_10", "flow_0_1", "flow_x10",
+// "0_1_flow", "flow_in_tenths_of". A single digit is the number of a channel.
+bool has_factor(std::string_view base) {
   const auto parts = parts_of(base);
   if (parts.empty()) return false;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const std::string_view part = parts[i], next = i + 1 < parts.size() ? parts[i + 1] : "";
+    if (part.size() > 1 && part[0] == 'x' && is_number(part.substr(1))) return true;
+    if ((part == "x" && is_number(next)) || (is_number(part) && next == "x")) return true;
+  }
+  if (parts.size() > 2 && parts[0] == "0" && is_number(parts[1])) return true;
   const std::string_view last = parts.back(), before = parts.size() > 1 ? parts[parts.size() - 2] : "";
-  if (last.size() > 1 && last[0] == 'x' && is_number(last.substr(1))) return true;
-  if (!is_number(last)) return false;
-  return is_number(before) || before == "x" || last == "10" || last == "100" || last == "1000";
+  if (is_word_of_factor(last)) return true;
+  return is_number(last) && (is_number(before) || last == "10" || last == "100" || last == "1000");
 }
 
 std::vector<std::string> expected_names(Quantity quantity) {
@@ -123,7 +148,9 @@ ColumnName column_name(std::string_view header) {
   } else if (brackets.unclear.empty()) {
     set_ending(column);
   }
-  if (column.quantity != Quantity::unknown && ends_in_factor(column.base)) column.unclear = header;
+  if (column.quantity != Quantity::unknown &&
+      (has_factor(column.base) || has_product(brackets.unit ? brackets.rest : column.text)))
+    column.unclear = header;
   if (!brackets.unit) column.unclear += brackets.unclear;
   return column;
 }

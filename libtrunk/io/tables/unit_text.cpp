@@ -188,6 +188,9 @@ bool looks_like_unit(std::string_view text) {
   constexpr std::size_t long_unit = 4;  // letters: "inH2O" has a digit, "torr" is known
   const std::string all = normal(text), plain = plain_name(all);
   if (all.empty()) return false;
+  if (all.find_first_not_of("0123456789.,xX ") ==
+      std::string::npos)  // a factor alone: "0.1", "x10", but not "2"
+    return all.find_first_of(".,xX") != std::string::npos || all == "10" || all == "100" || all == "1000";
   if (all.find_first_of("/*^%") != std::string::npos || all.find("°") != std::string::npos) return true;
   if (plain_unit(last_word(plain))) return true;  // "tenths of ml"
   const bool digits = std::any_of(plain.begin(), plain.end(), is_digit);

@@ -101,6 +101,20 @@ TEST_CASE("A counter and a drift as large as a breath are refused", "[faults]") 
   CHECK(error_of(changed(volume, [](double v, double t) { return v + 60e-6 * t; })).empty());
 }
 
+TEST_CASE("A counter or a flow of one direction that was levelled is doubted", "[faults]") {
+  const Record record = fourteen();
+  const Trace counter = counted(volume_trace(record)), flow = flow_trace(record, 0);
+  const double slope = (counter.value.back() - counter.value.front()) / counter.time_s.back();
+  CHECK_THAT(notes_of(changed(counter, [&](double v, double t) { return v - slope * t; })),
+             Contains("the volume falls at one rate for 40 % of the time or more") &&
+                 Contains("are both directions recorded?"));
+  CHECK_THAT(notes_of(changed(flow, [&](double q, double) { return std::max(q, 0.0) - slope; })),
+             Contains("the volume falls at one rate"));
+  CHECK_THAT(notes_of(flow), !Contains("at one rate"));
+  const Trace biased = changed(flow, [](double q, double) { return std::max(q, 0.0) - 0.02e-3; });
+  CHECK_THAT(error_of(biased), Contains("as if only one direction were recorded"));
+}
+
 TEST_CASE("What jumps is no breath", "[faults]") {
   const Record record = fourteen();
   const auto onsets = onsets_of(record);

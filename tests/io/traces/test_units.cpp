@@ -69,7 +69,7 @@ TEST_CASE("A volume over a time is a flow in any of their units", "[faults]") {
 TEST_CASE("A unit that is not known, or may mean two, is refused by name", "[faults]") {
   const std::string unit =
       GENERATE("ml/s x10", "ml/s*10", "x10 ml/s", "10e-3 L/s", "1.000 ml/s", "5 ml/s", "gal/min",
-               "tenths of L/s", "milli L/s", "%", "psi", "L/s^2", "ml/kg", "/min");
+               "tenths of L/s", "milli L/s", "%", "psi", "L/s^2", "ml/kg", "/min", "0.1", "x10", "100");
   CAPTURE(unit);
   const std::string text = "time_s;Flow (" + unit + ")\n" + trace_rows(";");
   for (const std::string& error : {trace_error(text), trace_error(text, [] {
@@ -87,7 +87,9 @@ TEST_CASE("A unit that is not known, or may mean two, is refused by name", "[fau
 }
 
 TEST_CASE("A number outside of brackets may be a factor or the number of a channel", "[faults]") {
-  for (const std::string header : {"Flow 10 mL/s", "Flow 0.1 L/min", "flow_x10_ml_s", "Flow 100 (L/s)"}) {
+  for (const std::string header : {"Flow 10 mL/s", "Flow 0.1 L/min", "flow_x10_ml_s", "Flow 100 (L/s)",
+                                   "0.1*Flow (L/s)", "Flow ×10 (L/s)", "10 x Flow (L/s)", "0.1 Flow (L/s)",
+                                   "Flow in tenths of L/s", "Flow (L/s) * 1000", "Flow deci L/s"}) {
     CAPTURE(header);
     TraceOptions chosen;
     chosen.value_column = "2", chosen.kind = SignalKind::flow;
@@ -95,7 +97,7 @@ TEST_CASE("A number outside of brackets may be a factor or the number of a chann
                Contains("the unit '" + header + "' of the chosen column"));
     CHECK_FALSE(trace_error("time_s," + header + "\n" + trace_rows()).empty());
   }
-  for (const std::string header : {"Flow 2 (L/s)", "flow_1_L_s", "Flow ch12 [L/s]"})
+  for (const std::string header : {"Flow 2 (L/s)", "flow_1_L_s", "Flow ch12 [L/s]", "Flow* (L/s)"})
     CHECK(trace_of("time_s," + header + "\n" + trace_rows()).value[11] == Approx(55 * litre));
 }
 
