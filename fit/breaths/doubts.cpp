@@ -14,7 +14,7 @@ namespace {
 
 constexpr double small_m3 = 150e-6, slow_s = 2.5;
 constexpr double beyond_lungs_m3 = 12e-3, drifting = 0.5;
-constexpr double outer_part = 0.05, breaths_of_piece = 2, change_of_size = 8;
+constexpr double outer_part = 0.05, breaths_of_piece = 1.5, change_of_size = 8;
 constexpr std::size_t shortest = 2;
 
 std::string little_air(double tidal_volume_m3, double period_s) {
@@ -34,12 +34,19 @@ std::string beyond_lungs(const Trace& trace) {
                      number_text(litres_per_m3 * *low, 3), number_text(litres_per_m3 * *high, 3));
 }
 
-// Returns the range of a piece of a volume without the line through its ends.
+// Returns the range of a piece of a volume about its line of regression.
 double size_of(const std::vector<double>& time, const std::vector<double>& volume, std::size_t first,
                std::size_t end) {
-  const double slope = (volume[end - 1] - volume[first]) / (time[end - 1] - time[first]);
+  const auto n = static_cast<double>(end - first);
+  double mean_time = 0, mean = 0, covariance = 0, variance = 0;
+  for (std::size_t i = first; i < end; ++i) mean_time += time[i] / n, mean += volume[i] / n;
+  for (std::size_t i = first; i < end; ++i) {
+    const double t = time[i] - mean_time;
+    covariance += t * (volume[i] - mean), variance += t * t;
+  }
   std::vector<double> level;
-  for (std::size_t i = first; i < end; ++i) level.push_back(volume[i] - slope * (time[i] - time[first]));
+  for (std::size_t i = first; i < end; ++i)
+    level.push_back(volume[i] - covariance / variance * (time[i] - mean_time));
   return quantile(level, 1 - outer_part) - quantile(level, outer_part);
 }
 
@@ -52,10 +59,10 @@ std::string other_unit(const Trace& trace, const std::vector<double>& volume, do
     begin_s.push_back(time[first]);
     first = i;
   }
-  for (std::size_t k = shortest; k + shortest <= size.size(); ++k) {
-    const auto middle = size.begin() + static_cast<std::ptrdiff_t>(k);
-    const auto [low, high] = std::minmax_element(size.begin(), middle);
-    const auto [low_after, high_after] = std::minmax_element(middle, size.end());
+  for (std::size_t k = shortest; k + 1 + shortest <= size.size(); ++k) {
+    const auto change = size.begin() + static_cast<std::ptrdiff_t>(k);  // both units may be in this piece
+    const auto [low, high] = std::minmax_element(size.begin(), change);
+    const auto [low_after, high_after] = std::minmax_element(change + 1, size.end());
     const double smaller = *low / *high_after, larger = *low_after / *high;
     if (smaller <= change_of_size && larger <= change_of_size) continue;
     return fmt::format(

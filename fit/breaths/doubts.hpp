@@ -13,8 +13,9 @@ namespace trunk {
 /// * a volume that stays beyond 12 L and drifts by less than half of that: no lung holds so much, but a
 ///   temperature of 34 °C looks like it;
 /// * a volume that is 8 times as large in one part of the recording as in the rest, before or after: its unit
-///   may have changed. Its size is the range from the 5th to the 95th percentile, without a line, in each
-///   piece of two breaths; both parts last two pieces at least.
+///   may have changed. Its size is the range from the 5th to the 95th percentile, about a line, in each
+///   piece of 1.5 breaths; both parts last two pieces at least, and one
+///   may lie between them.
 ///
 /// `volume_m3` is the volume of the trace. Its size is not judged unless it is `calibrated`. All limits are
 /// our choice.

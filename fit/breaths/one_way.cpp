@@ -19,30 +19,28 @@ constexpr double wide_step_s = 0.1, least_return = 1.0 / 3, most_drift = 1.25;
 constexpr std::size_t fewest_steps = 10;
 constexpr double still = 0.05, small_offset = 0.15;                         // of the strong steps
 constexpr double short_rest = 0.25, long_rest = 0.45, levelled_from = 0.4;  // of all steps
-constexpr double strong_step = 0.9, lowest_part = 0.05;
+constexpr double strong_step = 0.9, lowest_part = 0.003, some_return = 0.05;
 constexpr double abrupt_s = 0.12, long_breath_s = 2, nearly_empty = 0.1, nearly_full = 0.9;
 
 using Samples = std::span<const double>;
 
-// The means of a volume and of a signal over steps, and what the volume moves from each to the next.
+// What the mean of a volume moves from step to step.
 struct WideSteps {
-  std::vector<double> begin_s, moved, signal;
+  std::vector<double> begin_s, moved;
 };
 
-WideSteps wide_steps(Samples time, Samples volume, Samples signal) {
+WideSteps wide_steps(Samples time, Samples volume) {
   WideSteps steps;
   double before = 0;
   for (std::size_t begin = 0, i = 1; i < time.size(); ++i) {
     if (time[i] - time[begin] < wide_step_s) continue;
-    double volumes = 0, signals = 0;
-    for (std::size_t k = begin; k < i; ++k) volumes += volume[k], signals += signal[k];
-    const auto n = static_cast<double>(i - begin);
+    double mean = 0;
+    for (std::size_t k = begin; k < i; ++k) mean += volume[k] / static_cast<double>(i - begin);
     if (begin > 0) {
       steps.begin_s.push_back(time[begin]);
-      steps.moved.push_back(volumes / n - before);
-      steps.signal.push_back(signals / n);
+      steps.moved.push_back(mean - before);
     }
-    before = volumes / n;
+    before = mean;
     begin = i;
   }
   return steps;
@@ -97,13 +95,14 @@ bool rests(const std::vector<double>& moved, double share) {
   return usual.width <= 2 * still * strong && std::abs(usual.middle) <= small_offset * strong;
 }
 
-std::string look_of_flow(const WideSteps& steps, double sign) {
-  std::vector<double> forward;
-  for (const double m : steps.signal) forward.push_back(sign * m);
+std::string look_of_flow(const WideSteps& steps, Samples flow, const Way& way) {
   if (rests(steps.moved, long_rest))
     return "it rests at zero in between, as if only one direction were recorded";
-  if (quantile(forward, lowest_part) > 2 * still * quantile(forward, strong_step))
-    return "it stays away from zero, as with an offset of the sensor";
+  std::vector<double> forward;
+  for (const double q : flow) forward.push_back(way.net() > 0 ? q : -q);
+  const double zero = 2 * still * quantile(forward, strong_step);
+  if (way.returned() > some_return || quantile(forward, lowest_part) > zero)
+    return "it is shifted away from zero, as with an offset of the sensor";
   return rests(steps.moved, short_rest)
              ? "it rests at zero in between, as if its sign were lost or only one direction were recorded"
              : "it comes back to zero and turns there, as if its sign were lost";
@@ -122,14 +121,14 @@ std::string levelled(const WideSteps& steps) {
       usual.middle > 0 ? "rises" : "falls", percent_per_one * levelled_from);
 }
 
-InputError one_way(const Trace& trace, const WideSteps& steps, const Way& way) {
+InputError one_way(const Trace& trace, const WideSteps& steps, Samples flow, const Way& way) {
   const bool up = way.net() > 0;
   const double part = percent_per_one * way.returned();
   if (trace.kind == SignalKind::flow)
     return {{trace.source},
             fmt::format("the flow goes one way: {} adds up to {:.0f} % of {}; {}",
                         up ? "what is expired" : "what is inspired", part,
-                        up ? "what is inspired" : "what is expired", look_of_flow(steps, up ? 1 : -1)),
+                        up ? "what is inspired" : "what is expired", look_of_flow(steps, flow, way)),
             "a flow that is positive on inspiration and negative on expiration",
             "export the flow with its sign, or a volume that rises and falls; if the sensor has an offset, "
             "--remove-drift takes it away"};
@@ -180,7 +179,7 @@ void check_both_ways(const Trace& trace, const WholeBreaths& breaths, VolumeSign
   if (breaths.peak.empty()) return;
   const std::size_t first = breaths.trough.front(), count = breaths.trough.back() - first + 1;
   const auto part = [&](const std::vector<double>& all) { return Samples(all).subspan(first, count); };
-  const WideSteps steps = wide_steps(part(signal.time_s), part(signal.volume), part(trace.value));
+  const WideSteps steps = wide_steps(part(signal.time_s), part(signal.volume));
   if (steps.moved.size() < fewest_steps) return;
   std::vector<double> begin_s;
   for (std::size_t i = 0; i < breaths.peak.size(); ++i) begin_s.push_back(signal.time_s[breaths.trough[i]]);
@@ -189,7 +188,7 @@ void check_both_ways(const Trace& trace, const WholeBreaths& breaths, VolumeSign
     if (std::string doubt = levelled(steps); !doubt.empty()) signal.notes.push_back(std::move(doubt));
     return;
   }
-  const InputError error = one_way(trace, steps, way);
+  const InputError error = one_way(trace, steps, part(trace.value), way);
   if (!trace.drift_by_user) throw error;
   signal.notes.push_back("--remove-drift takes away a drift as large as a breath, though " +
                          error.mistake().found);

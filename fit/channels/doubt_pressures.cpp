@@ -13,7 +13,8 @@
 namespace trunk {
 namespace {
 
-constexpr double great_swing_cmH2O = 60, least_per_litre = 3, most_per_litre = 100, least_breath_m3 = 150e-6;
+constexpr double great_swing_cmH2O = 60, largest_level_cmH2O = 40, least_per_litre = 3, most_per_litre = 100,
+                 least_breath_m3 = 150e-6;
 constexpr double close_cmH2O = 0.5, close_part = 0.2;
 
 constexpr std::array<std::pair<std::string_view, double>, 3> usual_units{
@@ -30,6 +31,24 @@ std::string large_swing(const MeasuredChannel& channel) {
     return "";
   return fmt::format("{} {} swings by {} cmH2O, which only a great effort does: is it in {}?",
                      words_of(channel.kind), excerpt(channel.column), number_text(swing, 3), channel.unit);
+}
+
+std::string high_level(const MeasuredChannel& channel) {
+  const double level = channel.end_expiratory / Pa_per_cmH2O;
+  if (!is_pressure(channel.kind) || std::abs(level) <= largest_level_cmH2O) return "";
+  return fmt::format("{} {} is {} cmH2O at the end of expiration, more than bodies have: is it in {}?",
+                     words_of(channel.kind), excerpt(channel.column), number_text(level, 3), channel.unit);
+}
+
+std::string little_across(const MeasuredBreath& breath) {
+  const MeasuredChannel* across = breath.channel(ChannelKind::transdiaphragmatic);
+  if (across == nullptr || breath.tidal_volume_m3 < least_breath_m3) return "";
+  const double per_litre = swing_cmH2O(*across) / (litres_per_m3 * breath.tidal_volume_m3);
+  if (per_litre >= least_per_litre) return "";
+  return fmt::format(
+      "transdiaphragmatic pressure {} swings by {} cmH2O for each litre of breath: is the diaphragm "
+      "paralysed, or is the pressure not in {}?",
+      excerpt(across->column), number_text(per_litre, 3), across->unit);
 }
 
 std::string odd_per_litre(const MeasuredBreath& breath) {
@@ -79,8 +98,9 @@ std::string other_unit_of_three(const MeasuredBreath& breath) {
 }
 
 std::vector<std::string> doubt_pressures(const MeasuredBreath& breath) {
-  std::vector<std::string> found{other_unit_of_three(breath), odd_per_litre(breath)};
-  for (const MeasuredChannel& channel : breath.channels) found.push_back(large_swing(channel));
+  std::vector<std::string> found{other_unit_of_three(breath), odd_per_litre(breath), little_across(breath)};
+  for (const MeasuredChannel& channel : breath.channels)
+    for (const auto& doubt : {large_swing(channel), high_level(channel)}) found.push_back(doubt);
   std::erase(found, "");
   return found;
 }

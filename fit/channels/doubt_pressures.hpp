@@ -17,6 +17,9 @@ std::string other_unit_of_three(const MeasuredBreath& breath);
 ///
 /// * what other_unit_of_three finds;
 /// * oesophageal, gastric or transdiaphragmatic pressure that swings by more than 60 cmH2O: a maximal effort;
+/// * a pressure beyond 40 cmH2O at the end of expiration;
+/// * transdiaphragmatic pressure that swings by less than 3 cmH2O for each litre, as over a paralysed
+/// diaphragm;
 /// * oesophageal pressure, where no airway pressure is measured, that swings by less than 3 or more than 100
 ///   cmH2O for each litre of a breath of 150 ml or more: a stiff and narrow lung takes 50, a wide one 5.
 std::vector<std::string> doubt_pressures(const MeasuredBreath& breath);

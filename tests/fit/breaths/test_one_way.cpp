@@ -63,8 +63,10 @@ TEST_CASE("A flow without its sign, of one direction or with a large offset is r
   CHECK_THAT(error_of(changed(flow, [](double q, double) { return -std::abs(q); })),
              Contains("what is inspired adds up to 0 % of what is expired"));
   Trace offset = changed(flow, [](double q, double) { return q + 1.5e-3; });
-  CHECK_THAT(error_of(offset),
-             Contains("as with an offset of the sensor") && Contains("--remove-drift takes it away"));
+  CHECK_THAT(error_of(offset), Contains("shifted away from zero, as with an offset of the sensor") &&
+                                   Contains("--remove-drift takes it away"));
+  CHECK_THAT(error_of(changed(flow, [](double q, double) { return q + 0.25e-3; })),
+             Contains("shifted away from zero"));
   offset.drift_by_user = true;
   CHECK_THAT(notes_of(offset), Contains("--remove-drift takes away a drift as large as a breath"));
   CHECK(tidal_ml(offset) == Approx(tidal_ml(flow)).epsilon(0.01));

@@ -80,3 +80,14 @@ TEST_CASE("A swing that no lung needs for its breath is doubted", "[faults]") {
   alone = breath(), alone.channels.resize(1), alone.tidal_volume_m3 = 35e-6;  // an infant
   CHECK(all_of(alone).empty());
 }
+
+TEST_CASE("A level that no body has and a diaphragm that does nothing are doubted", "[faults]") {
+  MeasuredBreath alone = breath();
+  alone.channels = {alone.channels[1]};
+  multiply(alone.channels[0], cmH2O_per_kPa);
+  CHECK_THAT(all_of(alone), Contains("gastric pressure 'Pga' is 81.6 cmH2O at the end of expiration"));
+  alone = breath(), alone.channels = {alone.channels[2]};
+  multiply(alone.channels[0], 1 / cmH2O_per_kPa);
+  CHECK_THAT(all_of(alone), Contains("'Pdi' swings by 1.77 cmH2O for each litre of breath") &&
+                                Contains("paralysed, or is the pressure not in cmH2O?"));
+}
