@@ -50,8 +50,10 @@ double size_of(const std::vector<double>& time, const std::vector<double>& volum
   return quantile(level, 1 - outer_part) - quantile(level, outer_part);
 }
 
-std::string other_unit(const Trace& trace, const std::vector<double>& volume, double period_s) {
-  const std::vector<double>& time = trace.time_s;
+}  // namespace
+
+std::string change_of_unit(const std::vector<double>& time, const std::vector<double>& volume,
+                           double period_s) {
   std::vector<double> size, begin_s;
   for (std::size_t first = 0, i = 0; i < time.size(); ++i) {
     if (time[i] - time[first] < breaths_of_piece * period_s) continue;
@@ -74,12 +76,10 @@ std::string other_unit(const Trace& trace, const std::vector<double>& volume, do
   return "";
 }
 
-}  // namespace
-
 std::vector<std::string> doubts(const Trace& trace, const std::vector<double>& volume_m3, bool calibrated,
                                 double tidal_volume_m3, double period_s) {
   std::vector<std::string> found{calibrated ? little_air(tidal_volume_m3, period_s) : "", beyond_lungs(trace),
-                                 other_unit(trace, volume_m3, period_s)};
+                                 change_of_unit(trace.time_s, volume_m3, period_s)};
   std::erase(found, "");
   return found;
 }

@@ -66,7 +66,8 @@ void check_period(const Trace& trace, double median_period_s) {
                    hint.empty() ? "check the unit of time and that the signal is breathing" : hint);
 }
 
-void check_tidal_volume(const Trace& trace, double median_tidal_volume_m3, double median_period_s) {
+void check_tidal_volume(const Trace& trace, double median_tidal_volume_m3, double median_period_s,
+                        const std::string& change) {
   const double found_ml = median_tidal_volume_m3 * ml_per_m3;
   if (tidal_volume_ml.holds(found_ml)) return;
   if (infant_volume_ml.holds(found_ml) && median_period_s < infant_period_s) return;
@@ -75,7 +76,9 @@ void check_tidal_volume(const Trace& trace, double median_tidal_volume_m3, doubl
                          : better_unit(volume_units, "volume", trace.value_unit, found_ml, tidal_volume_ml);
   throw InputError({trace.source}, "the median breath has a tidal volume of " + number_text(found_ml) + " ml",
                    "30 to 6000 ml, or 5 ml and more in breaths under 2 s",
-                   hint.empty() ? "check the unit, the calibration and that the signal is breathing" : hint);
+                   !change.empty() ? change
+                   : hint.empty()  ? "check the unit, the calibration and that the signal is breathing"
+                                   : hint);
 }
 
 void check_samples(const Trace& trace, double median_period_s) {

@@ -185,7 +185,8 @@ Segmentation segment_breaths(const Trace& trace, const BreathSelection& selectio
   const double period = median_of(result.breaths, duration), volume = median_of(result.breaths, tidal_volume);
   check_period(trace, period);
   check_samples(trace, period);
-  if (result.calibrated && !selection.calibrate_tidal_volume_m3) check_tidal_volume(trace, volume, period);
+  if (result.calibrated && !selection.calibrate_tidal_volume_m3)
+    check_tidal_volume(trace, volume, period, change_of_unit(result.time_s, result.volume_m3, period));
 
   check_not_abrupt(result);
   const bool known = result.calibrated && !selection.calibrate_tidal_volume_m3;
