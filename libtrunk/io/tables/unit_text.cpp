@@ -183,15 +183,14 @@ std::string spoken_unit(std::string name) {
 }
 
 bool looks_like_unit(std::string_view text) {
-  constexpr std::array<std::string_view, 10> words{"left", "right", "in",  "out", "mean",
-                                                   "abs",  "est",   "ref", "new", "old"};
+  constexpr std::array<std::string_view, 13> words{"left", "right", "in",  "out",  "mean", "abs", "est",
+                                                   "ref",  "new",   "old", "none", "na",   "n_a"};
   constexpr std::size_t long_unit = 4;  // letters: "inH2O" has a digit, "torr" is known
   const std::string all = normal(text), plain = plain_name(all);
   if (all.empty()) return false;
   if (all.find_first_not_of("0123456789.,xX ") ==
       std::string::npos)  // a factor alone: "0.1", "x10", but not "2"
     return all.find_first_of(".,xX") != std::string::npos || all == "10" || all == "100" || all == "1000";
-  if (all.find_first_of("/*^%") != std::string::npos || all.find("°") != std::string::npos) return true;
   if (plain_unit(last_word(plain))) return true;  // "tenths of ml"
   const bool digits = std::any_of(plain.begin(), plain.end(), is_digit);
   if (digits && plain_unit(plain.substr(0, plain.find('_')))) return true;  // "ml x10"
@@ -199,6 +198,7 @@ bool looks_like_unit(std::string_view text) {
   if (std::find(ignored.begin(), ignored.end(), plain) != ignored.end() ||
       std::find(words.begin(), words.end(), plain) != words.end())
     return false;
+  if (all.find_first_of("/*^%") != std::string::npos || all.find("°") != std::string::npos) return true;
   if (plain.find('_') != std::string::npos || std::none_of(plain.begin(), plain.end(), is_letter))
     return false;
   return digits ? !is_digit(plain.back()) : plain.size() <= long_unit;  // "ch2" is a number of a channel

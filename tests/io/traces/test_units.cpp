@@ -1,4 +1,8 @@
+#include <cmath>
+
 #include "support/catch.hpp"
+#include "support/edf_file.hpp"
+#include "support/temporary_folder.hpp"
 #include "support/traces.hpp"
 #include "tables/column_names.hpp"
 
@@ -101,11 +105,24 @@ TEST_CASE("A number outside of brackets may be a factor or the number of a chann
     CHECK(trace_of("time_s," + header + "\n" + trace_rows()).value[11] == Approx(55 * litre));
 }
 
+TEST_CASE("The unit that an EDF file gives has a factor too, or is refused", "[faults]") {
+  const TemporaryFolder folder;
+  const auto file = [&](const std::string& unit) {
+    const auto wave = [](int i) { return std::sin(0.03 * i); };
+    return folder.write("t.edf", edf_bytes({{"Flow", unit, 50, 2, wave}}, 20));
+  };
+  CHECK(read_trace(file("10 mL/s")).value[50] == Approx(10 * ml * std::sin(1.5)).margin(1e-9));
+  for (const std::string unit : {"x10 mL/s", "0.1 L/mi", "V"})  // 8 characters are all that EDF has
+    CHECK_THAT(trace_error_at(file(unit)),
+               Contains("the unit '" + unit + "' of 'Flow' is not known or not clear"));
+}
+
 TEST_CASE("Two units of one column contradict each other", "[faults]") {
   CHECK_THAT(trace_error("Zeit,Flow (L/min)\ns,L/s\n" + trace_rows()),
              Contains("the unit 'L_min and L_s' of the chosen column 'Flow (L/min)'"));
   CHECK_THAT(trace_error("Zeit,flow_L_s\ns,V/s\n" + trace_rows()),
              Contains("the unit 'V/s' of the chosen column"));
+  CHECK(trace_of("Zeit,flow_L_s\ns,n/a\n" + trace_rows()).value[11] == Approx(55 * litre));
   CHECK(trace_of("Zeit,Flow (L/s)\ns,l/sec\n" + trace_rows()).value[11] == Approx(55 * litre));
 }
 
