@@ -45,7 +45,9 @@ class Recording {
   std::string word = "column";  ///< the name that the format has for a channel
   std::size_t header_line = 0;  ///< the line that names the channels; 0: the format has no lines
   std::string first_cell;  ///< the first number of a table without header; empty: the channels have names
-  std::vector<Channel> channels;  ///< at least one
+  std::vector<Channel> channels;   ///< at least one
+  std::vector<std::string> notes;  ///< messages for the user; complete once samples were read
+  std::string if_missing;  ///< what the user may try if a channel is not found; empty: nothing special
 };
 
 }  // namespace trunk

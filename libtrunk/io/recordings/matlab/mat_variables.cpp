@@ -4,17 +4,15 @@
 #include <matio.h>
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 #include <stdexcept>
 
 #include "errors/input_error.hpp"
 #include "recordings/matlab/apart.hpp"
 #include "recordings/matlab/packing.hpp"
+#include "recordings/matlab/require_whole.hpp"
 
 namespace trunk {
 namespace {
@@ -28,10 +26,21 @@ class Collector {
  public:
   Collector(MatContent& content, std::size_t most_values) : content_(content), left_(most_values) {}
 
+  // The bytes of all objects of a file are one more variable, without a name of its own.
+  void add_top(const matvar_t& v) {
+    const std::string name = v.name ? v.name : "";
+    if (name.empty() || name.starts_with('#') || name.starts_with("__"))
+      content_.has_objects = true;
+    else
+      add(v, name, 1);
+  }
+
   void add(const matvar_t& v, const std::string& name, int depth) {
     if (content_.variables.size() >= most_variables || depth > deepest) return;
     if (v.class_type == MAT_C_STRUCT) return add_fields(v, name, depth);
-    if (v.class_type == MAT_C_OPAQUE || v.class_type == MAT_C_OBJECT) content_.has_objects = true;
+    // In version 7.3, libmatio calls a class that it does not know an empty one.
+    if (v.class_type == MAT_C_OPAQUE || v.class_type == MAT_C_OBJECT || v.class_type == MAT_C_EMPTY)
+      content_.has_objects = true;
     if (v.rank != 2 || !v.dims || !v.data || v.isComplex) return;
     if (v.class_type == MAT_C_CELL) return add_texts(name, cell_texts(v));
     if (v.class_type == MAT_C_CHAR) return add_texts(name, char_rows(v));
@@ -147,45 +156,16 @@ std::string read_packed(const std::string& path, std::size_t most_values) {
   while (count++ < most_variables) {
     const std::unique_ptr<matvar_t, Close> variable(Mat_VarReadNext(file.get()));
     if (!variable) break;
-    if (variable->name) collector.add(*variable, variable->name, 1);
+    collector.add_top(*variable);
   }
   return packed(content);
-}
-
-/// A version 5 MAT-file is a header of 128 bytes and elements, each with its size in front (MathWorks,
-/// "MAT-File Format"). If the file is cut short, libmatio reads the missing values as zeros, which look like
-/// a signal.
-void require_whole(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  const auto read = [&](std::streamoff at, auto& into) {
-    file.seekg(at);
-    return static_cast<bool>(file.read(reinterpret_cast<char*>(&into), sizeof into));
-  };
-  std::array<char, 4> version_and_order{};
-  if (!read(124, version_and_order)) return;
-  const bool native = version_and_order[2] == 'I' && version_and_order[3] == 'M';
-  const bool swapped = version_and_order[2] == 'M' && version_and_order[3] == 'I';
-  const char major = version_and_order[native ? 1 : 0];
-  if ((!native && !swapped) || major != 1) return;  // 1 is version 5; 2 is HDF5, which detects this itself
-  std::error_code unknown;
-  const auto size = static_cast<std::uintmax_t>(std::filesystem::file_size(path, unknown));
-  if (unknown) return;
-  for (std::uintmax_t at = 128; at < size;) {
-    std::array<std::uint32_t, 2> tag{};  // type, bytes
-    const bool complete = size - at >= sizeof tag && read(static_cast<std::streamoff>(at), tag);
-    const std::uint32_t bytes = swapped ? __builtin_bswap32(tag[1]) : tag[1];
-    if (!complete || bytes > size - at - sizeof tag)
-      throw InputError({path.string()}, "the file ends in the middle of a variable", "a whole MAT-file",
-                       "copy or save it again");
-    at += sizeof tag + bytes;
-  }
 }
 
 }  // namespace
 
 MatContent read_mat_variables(const std::filesystem::path& path, std::size_t most_values) {
   const std::string name = path.string();
-  require_whole(path);
+  require_whole(path, sizeof(double) * most_values + (std::size_t{64} << 20));
   const auto bytes = run_apart([&] { return read_packed(name, most_values); },
                                sizeof(double) * most_values + (std::size_t{64} << 20));
   if (!bytes)

@@ -16,7 +16,8 @@ struct MatVariable {
 
 struct MatContent {
   std::vector<MatVariable> variables;
-  bool has_objects = false;  ///< the file has tables, strings or other objects, which no library reads
+  /// The file has tables, strings or other objects, which no library reads. They are no variables here.
+  bool has_objects = false;
 };
 
 /// Returns the numbers and texts of a MAT-file (versions 4, 5, 7 and 7.3), at most `most_values` numbers.

@@ -55,6 +55,8 @@ class MatlabRecording : public Recording {
     for (Channel& channel : channels) channel.rate_hz = rate;
     shorten_names();
     if (channels.empty()) refuse_empty();
+    if (content_.has_objects)
+      if_missing = "the file also holds objects such as a MATLAB table, which writetable exports";
   }
 
   Samples read(std::span<const std::size_t> chosen) override {
@@ -84,8 +86,10 @@ class MatlabRecording : public Recording {
 
   [[noreturn]] void refuse_empty() const {
     if (content_.has_objects)
-      throw InputError({source}, "only objects such as a table or timetable found, which only MATLAB reads",
-                       "vectors or a struct", "save S = table2struct(T, 'ToScalar', true)");
+      throw InputError({source}, "a MATLAB table, timetable or other object, which only MATLAB reads",
+                       "vectors or a struct",
+                       "in MATLAB, export it with writetable(T, 'recording.csv'), and a timetable with "
+                       "writetimetable");
     throw InputError({source}, "no vector of numbers found", "variables such as time_s and flow_L_s");
   }
 
@@ -170,7 +174,8 @@ class MatlabRecording : public Recording {
 
 bool is_matlab(std::string_view start) {
   return start.size() >= 128 &&
-         (start.starts_with("MATLAB 5.0 MAT-file") || start.starts_with("MATLAB 7.3 MAT-file"));
+         (start.starts_with("MATLAB 5.0 MAT-file") || start.starts_with("MATLAB 7.0 MAT-file") ||
+          start.starts_with("MATLAB 7.3 MAT-file"));
 }
 
 std::unique_ptr<Recording> open_matlab(const std::filesystem::path& path) {
