@@ -5,6 +5,9 @@
 
 #include <algorithm>
 
+#include "recordings/edf/uninterrupted_parts.hpp"
+#include "text/message_text.hpp"
+
 namespace trunk {
 namespace {
 
@@ -16,9 +19,6 @@ std::string without_padding(const char* field) {
 
 [[noreturn]] void refuse(const std::string& source, int reason) {
   switch (reason) {
-    case EDFLIB_FILE_IS_DISCONTINUOUS:
-      throw InputError({source}, "an EDF+ recording with interruptions", "a continuous one",
-                       "export one uninterrupted part of it");
     case EDFLIB_NO_SUCH_FILE_OR_DIRECTORY:
       throw InputError({source}, "cannot be read", "a readable EDF or BDF file", "check its permissions");
     default:
@@ -30,11 +30,17 @@ std::string without_padding(const char* field) {
 
 class EdfRecording : public Recording {
  public:
-  explicit EdfRecording(const std::filesystem::path& path) : header_(std::make_unique<edf_hdr_struct>()) {
+  EdfRecording(const std::filesystem::path& path, std::size_t block)
+      : header_(std::make_unique<edf_hdr_struct>()) {
     source = path.string();
     word = "channel";
-    if (edfopen_file_readonly(source.c_str(), header_.get(), EDFLIB_DO_NOT_READ_ANNOTATIONS) != 0)
+    const bool whole = open(source);
+    if (!whole && header_->filetype == EDFLIB_FILE_IS_DISCONTINUOUS)
+      open_part(path, block);
+    else if (!whole)
       refuse(source, header_->filetype);
+    else if (block > 1)
+      refuse_block(block, 1);
     const double record_s = static_cast<double>(header_->datarecord_duration) / EDFLIB_TIME_DIMENSION;
     for (int i = 0; i < header_->edfsignals; ++i) {
       const edf_param_struct& signal = header_->signalparam[i];
@@ -61,6 +67,34 @@ class EdfRecording : public Recording {
   }
 
  private:
+  bool open(const std::string& file) {
+    return edfopen_file_readonly(file.c_str(), header_.get(), EDFLIB_DO_NOT_READ_ANNOTATIONS) == 0;
+  }
+
+  [[noreturn]] void refuse_block(std::size_t block, std::size_t parts) const {
+    throw InputError({fmt::format("--block {}", block)},
+                     fmt::format("{} has {} uninterrupted part{}", source, parts, parts == 1 ? "" : "s"),
+                     "the number of one of them, from 1");
+  }
+
+  // EDFlib does not open EDF+D. A copy of one part is a continuous file.
+  void open_part(const std::filesystem::path& path, std::size_t block) {
+    const InterruptedEdf edf = uninterrupted_parts(path);
+    const auto& parts = edf.parts;
+    if (block > parts.size()) refuse_block(block, parts.size());
+    const auto longest = std::max_element(parts.begin(), parts.end(),
+                                          [](const auto& a, const auto& b) { return a.count < b.count; });
+    const std::size_t chosen = block > 0 ? block - 1 : static_cast<std::size_t>(longest - parts.begin());
+    if (parts.size() > 1 && block == 0)
+      notes.push_back(fmt::format(
+          "the recording has interruptions: part {} of {}, the longest, is read, {} s from {} s on "
+          "(--block {} reads another)",
+          chosen + 1, parts.size(), number_text(static_cast<double>(longest->count) * edf.record_s),
+          number_text(longest->start_s, 8), chosen == 0 ? 2 : 1));
+    copy_ = continuous_copy(path, edf, parts[chosen]);
+    if (!open(fmt::format("/proc/self/fd/{}", fileno(copy_.get())))) refuse(source, header_->filetype);
+  }
+
   std::vector<double> values(std::size_t channel) {
     const long long count = header_->signalparam[channel].smp_in_file;
     if (count > static_cast<long long>(max_samples))
@@ -76,6 +110,7 @@ class EdfRecording : public Recording {
   }
 
   std::unique_ptr<edf_hdr_struct> header_;
+  TemporaryFile copy_;
 };
 
 }  // namespace
@@ -89,8 +124,8 @@ bool is_edf(std::string_view start) {
          std::none_of(start.begin(), start.begin() + 256, [](char c) { return c == '\n' || c == '\r'; });
 }
 
-std::unique_ptr<Recording> open_edf(const std::filesystem::path& path) {
-  return std::make_unique<EdfRecording>(path);
+std::unique_ptr<Recording> open_edf(const std::filesystem::path& path, std::size_t block) {
+  return std::make_unique<EdfRecording>(path, block);
 }
 
 }  // namespace trunk
