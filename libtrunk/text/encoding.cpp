@@ -96,6 +96,11 @@ std::string decode_windows_1252(std::string_view bytes) {
 
 }  // namespace
 
+bool encoding_is_a_guess(std::string_view bytes) {
+  return !bytes.starts_with("\xFF\xFE") && !bytes.starts_with("\xFE\xFF") && zeros(bytes) == Parity::none &&
+         !is_utf8(bytes);
+}
+
 std::string utf8_of(std::string bytes) {
   using namespace std::string_view_literals;
   const std::string_view view = bytes;

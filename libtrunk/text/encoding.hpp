@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 namespace trunk {
 
@@ -9,5 +10,8 @@ namespace trunk {
 /// valid UTF-8 are read as Windows-1252, which includes ISO 8859-1. This is our choice, because spreadsheets
 /// and loggers of western Europe write it.
 std::string utf8_of(std::string bytes);
+
+/// Returns whether utf8_of reads these bytes as Windows-1252, because nothing shows their encoding.
+bool encoding_is_a_guess(std::string_view bytes);
 
 }  // namespace trunk

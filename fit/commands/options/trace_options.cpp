@@ -78,6 +78,20 @@ void add_signal_options(CLI::App& command, SignalOptions& options) {
                 "such a "
                 "signal is refused, since it may be a counter or a flow without its sign.")
       ->group(group);
+  command
+      .add_option("--encoding", options.encoding,
+                  "Gives the encoding of a text that is neither UTF-8, UTF-16 nor Windows-1252, as "
+                  "Shift_JIS. `iconv -l` lists the names.")
+      ->type_name("NAME")
+      ->group(group);
+  command
+      .add_option(
+          "--block", options.block,
+          "Reads this block of a LabChart text, or this part of an interrupted EDF+ file, from 1. [the "
+          "longest]")
+      ->type_name("N")
+      ->group(group)
+      ->check(within(1, 1e6));
   add_channel_options(command, options.channels);
 }
 

@@ -7,8 +7,8 @@
 
 namespace trunk {
 
-/// Adds --time, --flow, --volume, --belt, --signal, --unit, --time-unit, --rate and --invert, and the options
-/// of channels beside the signal.
+/// Adds --time, --flow, --volume, --belt, --signal, --unit, --time-unit, --rate, --invert, --encoding and
+/// --block, and the options of channels beside the signal.
 void add_signal_options(CLI::App& command, SignalOptions& options);
 
 /// Adds --pdi-max and --chest-wall-compliance.

@@ -1,41 +1,23 @@
 #include "recordings/open_recording.hpp"
 
-#include <fmt/format.h>
-
-#include <array>
 #include <fstream>
-#include <string>
-#include <string_view>
 
 #include "files/read_file.hpp"
 #include "recordings/edf/edf_recording.hpp"
+#include "recordings/foreign_formats.hpp"
 #include "recordings/matlab/matlab_recording.hpp"
 #include "recordings/text_recording.hpp"
 
 namespace trunk {
 namespace {
 
-using namespace std::string_view_literals;
-
 constexpr std::size_t largest_text = 200'000'000;
-
-struct ForeignFormat {
-  std::string_view start, what, remedy;
-};
-
-constexpr std::array foreign_formats{
-    ForeignFormat{"PK\x03\x04"sv, "a spreadsheet (.xlsx, .ods) or another zip archive",
-                  "save the sheet as CSV"},
-    ForeignFormat{"\xD0\xCF\x11\xE0"sv, "an old spreadsheet (.xls)", "save the sheet as CSV"},
-    ForeignFormat{"\x1F\x8B"sv, "a file compressed by gzip", "unpack it with gunzip"},
-    ForeignFormat{"\x89HDF"sv, "a binary file (HDF5, like results of trunk)", "give the recording"},
-    ForeignFormat{"%PDF"sv, "a PDF", "export the numbers"}};
 
 // Returns the first bytes of a file; "" for a pipe, which can be read only once.
 std::string start_of(const std::filesystem::path& path) {
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(path, ignored)) return {};
-  std::string start(512, '\0');
+  std::string start(1024, '\0');
   std::ifstream file(path, std::ios::binary);
   file.read(start.data(), static_cast<std::streamsize>(start.size()));
   start.resize(static_cast<std::size_t>(file.gcount()));
@@ -44,15 +26,18 @@ std::string start_of(const std::filesystem::path& path) {
 
 }  // namespace
 
-std::unique_ptr<Recording> open_recording(const std::filesystem::path& path) {
+std::unique_ptr<Recording> open_recording(const std::filesystem::path& path,
+                                          const RecordingOptions& options) {
   const std::string start = start_of(path);
   if (is_matlab(start)) return open_matlab(path);
-  if (is_edf(start)) return open_edf(path);
-  for (const ForeignFormat& format : foreign_formats)
-    if (start.starts_with(format.start))
-      throw InputError({path.string()}, fmt::format("this is {}", format.what), "text, MATLAB, EDF or BDF",
-                       std::string(format.remedy));
-  return recording_of_text(path.string(), read_text_file(path, largest_text));
+  if (is_edf(start)) return open_edf(path, options.block);
+  require_no_foreign_format(path, start);
+  TextOfFile file = read_text_file_in(options.encoding, path, largest_text);
+  auto recording = recording_of_text(path.string(), std::move(file.text), options.block);
+  if (file.encoding_is_a_guess)
+    recording->if_missing =
+        "if these names look wrong, give the encoding of the file, as in --encoding Shift_JIS";
+  return recording;
 }
 
 }  // namespace trunk

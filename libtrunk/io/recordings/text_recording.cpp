@@ -7,9 +7,11 @@
 #include <limits>
 #include <optional>
 
+#include "tables/acqknowledge_layout.hpp"
 #include "tables/clock_time.hpp"
 #include "tables/column_names.hpp"
 #include "tables/delimited_text.hpp"
+#include "tables/labchart_layout.hpp"
 #include "text/message_text.hpp"
 
 namespace trunk {
@@ -17,13 +19,48 @@ namespace {
 
 constexpr std::size_t most_flaws = 10'000;
 
+// Returns the layout of a text according to the program that wrote it.
+TableLayout layout_of(const TextLines& lines, std::size_t block) {
+  if (is_labchart(lines)) return labchart_layout(lines, block);
+  if (block > 1)
+    throw InputError({fmt::format("--block {}", block)},
+                     fmt::format("{} is not divided into blocks", lines.source()),
+                     "a text of LabChart or an EDF+ file with interruptions", "leave this option out");
+  return is_acqknowledge(lines) ? acqknowledge_layout(lines) : table_layout(lines);
+}
+
+// Gathers the comments at the ends of rows.
+class Comments {
+ public:
+  void add(const DelimitedText::Row& row) {
+    if (row.comment.empty() || ++count_ > most_shown) return;
+    std::string_view text = row.comment.substr(1);
+    if (text.starts_with('*')) text.remove_prefix(1);  // LabChart: it concerns all channels
+    shown_ += fmt::format("{}{} in line {}", count_ > 1 ? ", " : "", excerpt(trimmed(text)), row.line);
+  }
+  std::string note() const {
+    if (count_ == 0) return "";
+    const std::string more = count_ > most_shown ? fmt::format(", and {} more", count_ - most_shown) : "";
+    return fmt::format("{} comment{} in the file: {}{}", count_, count_ == 1 ? "" : "s", shown_, more);
+  }
+
+ private:
+  static constexpr std::size_t most_shown = 5;
+  std::size_t count_ = 0;
+  std::string shown_;
+};
+
 class TextRecording : public Recording {
  public:
-  TextRecording(std::string file, std::string text) : table_(std::move(file), std::move(text)) {
+  TextRecording(std::string file, std::string text, std::size_t block)
+      : table_(std::move(file), std::move(text),
+               [block](const TextLines& lines) { return layout_of(lines, block); }) {
     source = table_.source();
     header_line = table_.header_line();
+    notes = table_.notes();
     for (std::size_t i = 0; i < table_.names().size(); ++i)
-      channels.push_back({table_.names()[i], table_.units().empty() ? "" : table_.units()[i], 0, 0});
+      channels.push_back(
+          {table_.names()[i], table_.units().empty() ? "" : table_.units()[i], table_.rate_hz(), 0});
     look_at_first_rows();
   }
 
@@ -32,8 +69,10 @@ class TextRecording : public Recording {
     samples.values.resize(chosen.size());
     std::vector<std::vector<std::optional<ClockTime>>> clocks(chosen.size());
     DelimitedText::Row row;
+    Comments comments;
     for (table_.rewind(); table_.next(row);) {
       refuse_other_header(row);
+      comments.add(row);
       samples.lines.push_back(static_cast<std::uint32_t>(row.line));
       for (std::size_t i = 0; i < chosen.size(); ++i) {
         const auto flaw = [&](const InputError& error) { add_flaw(samples, error); };
@@ -47,6 +86,8 @@ class TextRecording : public Recording {
     }
     for (std::size_t i = 0; i < chosen.size(); ++i)
       if (is_clock_[chosen[i]]) samples.values[i] = seconds_since_first(clocks[i]);
+    if (const std::string note = comments.note(); !note.empty() && !has_read_) notes.push_back(note);
+    has_read_ = true;
     return samples;
   }
 
@@ -124,12 +165,13 @@ class TextRecording : public Recording {
 
   DelimitedText table_;
   std::vector<bool> is_clock_;  // [channels]
+  bool has_read_ = false;
 };
 
 }  // namespace
 
-std::unique_ptr<Recording> recording_of_text(std::string source, std::string text) {
-  return std::make_unique<TextRecording>(std::move(source), std::move(text));
+std::unique_ptr<Recording> recording_of_text(std::string source, std::string text, std::size_t block) {
+  return std::make_unique<TextRecording>(std::move(source), std::move(text), block);
 }
 
 }  // namespace trunk

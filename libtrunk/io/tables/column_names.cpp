@@ -58,10 +58,24 @@ std::vector<std::string_view> parts_of(std::string_view base) {
   return parts;
 }
 
+// "40ms" and "25hz" in a name are sampling rates; "tsd117" and "rsp100c" are sensors of BIOPAC.
+bool is_rate_or_model(std::string_view part) {
+  constexpr std::string_view digits = "0123456789";
+  const std::string_view unit = part.substr(std::min(part.find_first_not_of(digits), part.size()));
+  if (unit.size() < part.size()) return unit == "ms" || unit == "hz";
+  for (const std::string_view model : {"tsd", "rsp", "da", "ss"}) {
+    if (!part.starts_with(model)) continue;
+    const std::string_view number = part.substr(model.size());
+    const auto end = std::min(number.find_first_not_of(digits), number.size());
+    return end >= 2 && number.size() <= end + 2;
+  }
+  return false;
+}
+
 bool is_ignored(std::string_view part) {
   const auto words = ignored_words();
   return std::find(words.begin(), words.end(), part) != words.end() ||
-         part.find_first_not_of("0123456789") == std::string_view::npos ||
+         part.find_first_not_of("0123456789") == std::string_view::npos || is_rate_or_model(part) ||
          (part.starts_with("ch") && part.find_first_not_of("0123456789", 2) == std::string_view::npos);
 }
 
@@ -181,6 +195,19 @@ std::optional<Role> role_of(const ColumnName& column) {
     if (word == words.end() && !is_ignored(part)) return std::nullopt;
   }
   return role;
+}
+
+std::optional<TrunkPart> part_of_trunk(const ColumnName& belt) {
+  const auto any_begins_with = [&](std::initializer_list<std::string_view> words) {
+    for (const std::string_view part : parts_of(belt.base))
+      for (const std::string_view word : words)
+        if (part.starts_with(word)) return true;
+    return false;
+  };
+  const bool thorax = any_begins_with({"thor", "chest", "brust", "rib"}),
+             abdomen = any_begins_with({"abd", "bauch", "belly"});
+  if (thorax == abdomen) return std::nullopt;
+  return thorax ? TrunkPart::thorax : TrunkPart::abdomen;
 }
 
 std::string suggestion(const std::vector<ColumnName>& columns, Quantity quantity) {

@@ -41,6 +41,11 @@ enum class Role { time, flow, volume, belt };
 /// are ignored. Returns nothing if the column may be another quantity, such as a peak flow.
 std::optional<Role> role_of(const ColumnName& column);
 
+enum class TrunkPart { thorax, abdomen };
+/// Returns the part of the trunk that a belt goes around according to its name; nothing if the name does not
+/// say it.
+std::optional<TrunkPart> part_of_trunk(const ColumnName& belt);
+
 /// Returns whether the name is a documented one: time, t, flow or volume with a unit.
 bool is_documented(const ColumnName& column);
 

@@ -24,12 +24,26 @@ bool DelimitedText::next(Row& row) {
   } while (row.cells.empty());
   if (++rows_ > max_rows)
     fail(row.line, "too many rows found", fmt::format("at most {}", max_rows), "thin them");
+  take_comment(row);
   if (row.cells.size() > names().size())
     fail(row.line, fmt::format("{} cells found", row.cells.size()),
          fmt::format("{} as in the {}", names().size(), named() ? "header" : "first row"),
          layout_.delimiter == ',' ? "if commas are decimal marks, separate the columns by semicolons"
                                   : "name every column");
   return true;
+}
+
+void DelimitedText::take_comment(Row& row) const {
+  row.comment = {};
+  for (std::size_t i = names().size(); i < row.cells.size(); ++i) {
+    if (!row.cells[i].starts_with('#')) continue;
+    const std::string_view last = row.cells.back();
+    row.comment = {row.cells[i].data(),
+                   static_cast<std::size_t>(last.data() + last.size() - row.cells[i].data())};
+    row.cells.resize(i);
+    while (!row.cells.empty() && row.cells.back().empty()) row.cells.pop_back();
+    return;
+  }
 }
 
 std::string_view DelimitedText::text(const Row& row, std::size_t column) const {

@@ -51,6 +51,18 @@ bool is_units_row(const Cells& cells, char delimiter) {
          std::any_of(cells.begin(), cells.end(), [](auto cell) { return unit_of(cell).has_value(); });
 }
 
+// Returns a cell with a space for every line break in it.
+std::string on_one_line(std::string_view cell) {
+  std::string text;
+  for (const char c : cell) {
+    if (c != '\r' && c != '\n')
+      text += c;
+    else if (!text.empty() && text.back() != ' ')
+      text += ' ';
+  }
+  return text;
+}
+
 // If spaces separate the cells, "Flow (L/s)" is two cells; the unit belongs to the name.
 std::vector<std::string> joined_names(const Cells& cells, char delimiter) {
   std::vector<std::string> names;
@@ -59,7 +71,7 @@ std::vector<std::string> joined_names(const Cells& cells, char delimiter) {
     if (is_unit && !names.empty())
       names.back() += " " + std::string(cell);
     else
-      names.emplace_back(cell);
+      names.push_back(on_one_line(cell));
   }
   return names;
 }
@@ -148,21 +160,28 @@ class LayoutFinder {
   std::optional<std::size_t> first_rows() {
     for (const char delimiter : declared_ ? std::string(1, *declared_) : std::string(";\t, ")) {
       delimiter_ = delimiter;
-      std::size_t found = 0, i = first_;
-      for (; has_line(i) && i < first_ + longest_preamble && found < 3; ++i)
-        found = is_row(i) ? found + 1 : 0;
-      if (found > 0) return i - found;
+      std::size_t found = 0, first = 0;
+      for (std::size_t i = first_; has_line(i) && i < first_ + longest_preamble && found < 3; ++i) {
+        const Row row = row_at(i);
+        if (row == Row::numbers && found++ == 0) first = i;
+        if (row == Row::none) found = 0;
+      }
+      if (found > 0) return first;
     }
     return std::nullopt;
   }
 
-  bool is_row(std::size_t i) const {
-    std::size_t numbers = 0;
+  // A row with one number and otherwise empty cells tells nothing by itself.
+  enum class Row { none, one_number, numbers };
+  Row row_at(std::size_t i) const {
+    std::size_t numbers = 0, others = 0;
     for (const auto cell : cells_of(lines_[i].text)) {
-      numbers += is_numeric(cell, delimiter_) ? 1U : 0U;
-      if (numbers == 2) return true;
+      const bool is_number = is_numeric(cell, delimiter_);
+      numbers += is_number ? 1U : 0U;
+      others += is_number || cell.empty() ? 0U : 1U;
+      if (numbers == 2) return Row::numbers;
     }
-    return false;
+    return numbers == 1 && others == 0 && delimiter_ != ' ' ? Row::one_number : Row::none;
   }
 
   bool can_be_header(const Cells& cells) const {
@@ -196,7 +215,7 @@ class LayoutFinder {
     if (!split_cells(lines_[header].text, delimiter_, cells))
       fail(number, "a double quote is opened and not closed", "pairs of quotes", "close or remove it");
     if (cells.empty()) fail(number, "a line of empty cells found", "a header line that names the columns");
-    return {delimiter_, number, true, joined_names(cells, delimiter_), {}, lines_[header].after};
+    return {delimiter_, number, true, joined_names(cells, delimiter_), {}, lines_[header].after, 0, {}};
   }
 
   // Returns the layout of a table with lines without numbers between header and rows; one of them may hold
@@ -218,7 +237,7 @@ class LayoutFinder {
   }
 
   TableLayout unnamed(std::size_t rows) const {
-    TableLayout layout{delimiter_, lines_[rows].after.number(), false, {}, {}, lines_[rows].before};
+    TableLayout layout{delimiter_, lines_[rows].after.number(), false, {}, {}, lines_[rows].before, 0, {}};
     for (std::size_t i = 1; i <= cells_of(lines_[rows].text).size(); ++i)
       layout.names.push_back(std::to_string(i));
     return layout;

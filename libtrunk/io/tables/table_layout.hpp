@@ -15,6 +15,8 @@ struct TableLayout {
   std::vector<std::string> names;  ///< of the columns, at least one
   std::vector<std::string> units;  ///< from a row of units below the header; empty, or as many as names
   TextLines rows;                  ///< is just before the first row
+  double rate_hz = 0;  ///< rows per second; 0: the file does not say it, or a column has the times
+  std::vector<std::string> notes{};  ///< messages about the choice of rows
 };
 
 /// Finds the header, the delimiter and the first row of a table. All rules are our choice:
@@ -25,6 +27,7 @@ struct TableLayout {
 ///  - Lines without numbers may stand between header and rows, and one of them may hold units.
 ///  - The line `sep=;` of a spreadsheet declares the delimiter.
 ///  - A comment just above the rows is the header if it names a quantity and no line does.
+///  - A row in which all cells but one are empty, as of channels at different rates, is a row among others.
 ///
 /// Throws InputError if there are only blank lines and comments, if the header is a line of empty cells, or
 /// if a quote in the header is not closed.

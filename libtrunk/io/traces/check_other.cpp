@@ -89,16 +89,14 @@ void check_gain(double gain, const Pair& pair, bool unit_by_user, Trace& trace) 
 
 }  // namespace
 
-void check_other(Recording& recording, const TraceColumns& columns, std::size_t first, Trace& trace) {
+void check_other(Recording& recording, const TraceColumns& columns, const UsedSamples& used, Trace& trace) {
   if (trace.inverted_by_user) turn(trace);
   if (!columns.other) return;
   const bool flow_is_signal = trace.kind == SignalKind::flow;
   const ColumnName &signal = columns.all[columns.value], &other = columns.all[*columns.other];
   const Pair pair{flow_is_signal ? signal : other, flow_is_signal ? other : signal, flow_is_signal};
   const std::size_t chosen[] = {*columns.other};
-  const auto values = recording.read(chosen).values[0];
-  const auto begin = values.begin() + static_cast<std::ptrdiff_t>(first);
-  std::vector<double> beside(begin, begin + static_cast<std::ptrdiff_t>(trace.time_s.size()));
+  std::vector<double> beside = used.of(recording.read(chosen).values[0], trace.time_s.size());
   const bool scaled = other.quantity != Quantity::unknown && other.doubtful_unit().empty();
   if (scaled)
     for (double& v : beside) v *= other.to_si;

@@ -3,11 +3,12 @@
 #include "recordings/recording.hpp"
 #include "traces/choose_columns.hpp"
 #include "traces/trace.hpp"
+#include "traces/used_samples.hpp"
 
 namespace trunk {
 
 /// Turns the signal if `inverted_by_user`, and holds a flow against the volume beside it, or a volume against
-/// the flow. `first` samples at the beginning were left out of the trace.
+/// the flow.
 ///
 /// A flow that runs against its volume (correlation below -0.5) is turned, unless the user turned it. A
 /// volume that is late or early by 0.1 s or more, that does not go with the flow (below 0.5 at any lag), or
@@ -15,6 +16,6 @@ namespace trunk {
 ///
 /// Throws InputError if that share is below 0.5 or above 2, as after a mistake of a unit, and the user has
 /// not given the unit of the signal.
-void check_other(Recording& recording, const TraceColumns& columns, std::size_t first, Trace& trace);
+void check_other(Recording& recording, const TraceColumns& columns, const UsedSamples& used, Trace& trace);
 
 }  // namespace trunk

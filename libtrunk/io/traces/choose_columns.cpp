@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "text/message_text.hpp"
+#include "traces/breath_table.hpp"
 
 namespace trunk {
 namespace {
@@ -136,6 +137,7 @@ class ColumnChoice {
       hint = "separate the columns by comma, semicolon or tab, or give --rate HZ for evenly spaced samples";
     if (hint.empty())
       hint = fmt::format("rename the {} that holds it, or choose it with {}", recording_.word, option);
+    if (!recording_.if_missing.empty()) hint += "; " + recording_.if_missing;
     fail(fmt::format("no {} {} among {}", what, recording_.word, list_of(chosen_.all)), expected, hint);
   }
 
@@ -296,13 +298,35 @@ class ColumnChoice {
             "--" + quantity_name(quantity));
   }
 
+  static bool is_belt(const ColumnName& c) {
+    // A unit of pressure or length that the file gives apart from the name is the belt's own.
+    const bool own =
+        (c.quantity == Quantity::pressure || c.quantity == Quantity::length) && c.base == c.plain;
+    return (c.quantity == Quantity::unknown || own) && role_of(c) == Role::belt;
+  }
+
+  // A belt of the thorax and one of the abdomen are not two of the same. This version fits one of them.
+  void refuse_both_belts() const {
+    std::optional<Index> thorax, abdomen;
+    for (Index i = 0; i < chosen_.all.size(); ++i) {
+      if (!is_belt(chosen_.all[i])) continue;
+      const auto part = part_of_trunk(chosen_.all[i]);
+      if (part == TrunkPart::thorax) thorax = i;
+      if (part == TrunkPart::abdomen) abdomen = i;
+    }
+    if (!thorax || !abdomen) return;
+    const std::string first = excerpt(chosen_.all[*thorax].text),
+                      second = excerpt(chosen_.all[*abdomen].text);
+    fail(
+        fmt::format("{} is understood as the belt of the thorax and {} as that of the abdomen, and their sum "
+                    "has no scale without a calibration",
+                    first, second),
+        "one signal", fmt::format("choose one of them with --belt, as in --belt {}", first));
+  }
+
   std::optional<Index> belt() {
-    const auto found = only([](const ColumnName& c) {
-      // A unit of pressure or length that the file gives apart from the name is the belt's own.
-      const bool own =
-          (c.quantity == Quantity::pressure || c.quantity == Quantity::length) && c.base == c.plain;
-      return (c.quantity == Quantity::unknown || own) && role_of(c) == Role::belt;
-    });
+    refuse_both_belts();
+    const auto found = only(is_belt);
     if (found) note_choice(*found, "belt, in its own unit");
     return found;
   }
@@ -322,6 +346,10 @@ class ColumnChoice {
     }
     if (volume) return take(*volume, SignalKind::volume);
     if (const auto found = belt()) return take(*found, SignalKind::belt);
+    if (const std::string names = numbers_of_breaths(chosen_.all); !names.empty())
+      fail(fmt::format("each row seems to be a breath with its numbers, {}, as a metabolic cart writes them",
+                       names),
+           "a recording of flow or volume within the breaths", remedy_for_breath_table);
     auto hint = suggestion(chosen_.all, Quantity::volume);
     if (hint.empty()) hint = suggestion(chosen_.all, Quantity::flow);
     missing("volume or flow", fmt::format("one of {}", signal_names), hint, "--flow, --volume or --belt");

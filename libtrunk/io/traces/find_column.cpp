@@ -15,7 +15,9 @@ std::size_t ColumnFinder::by_name(const std::string& name, const std::string& op
   if (error == std::errc{} && end == name.data() + name.size() && number >= 1 && number <= columns_.size())
     return number - 1;
   fail(fmt::format("no {} {} among {}", recording_.word, excerpt(name), list_of(columns_)),
-       fmt::format("the chosen {}", recording_.word), "correct its name or give its number");
+       fmt::format("the chosen {}", recording_.word),
+       "correct its name or give its number" +
+           (recording_.if_missing.empty() ? "" : "; " + recording_.if_missing));
 }
 
 std::string ColumnFinder::word_and_name(std::size_t column) const {

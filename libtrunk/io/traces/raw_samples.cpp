@@ -11,6 +11,14 @@
 namespace trunk {
 namespace {
 
+// Returns whether 49 of 50 steps are within a quarter of their median.
+bool are_even(const std::vector<double>& steps) {
+  const double median = upper_median(steps);
+  const auto even = std::count_if(steps.begin(), steps.end(),
+                                  [&](double step) { return std::abs(step - median) < median / 4; });
+  return 50 * static_cast<std::size_t>(even) >= 49 * steps.size();
+}
+
 std::string count_of(std::size_t samples) {
   return fmt::format("{} sample{}", samples, samples == 1 ? "" : "s");
 }
@@ -58,6 +66,40 @@ Mistake RawSamples::flaw(std::size_t sample) const {
   return {};
 }
 
+void RawSamples::leave_out_other_rates(std::vector<std::string>& notes) {
+  std::vector<std::uint32_t> rows;
+  for (std::size_t i = 0; i < size(); ++i)
+    if (std::isfinite(samples_.values[0][i])) rows.push_back(static_cast<std::uint32_t>(i));
+  const std::size_t left_out = size() - rows.size();
+  if (10 * left_out <= size() || rows.size() < 10) return;
+  // Many rows without a number at an end are no other rate.
+  const std::size_t usual = (rows.back() - rows.front()) / (rows.size() - 1) + 1;
+  if (rows.front() > 2 * usual || size() - 1 - rows.back() > 2 * usual) return;
+  const auto step_of = [&](auto&& place) {
+    std::vector<double> steps(rows.size() - 1);
+    for (std::size_t i = 0; i < steps.size(); ++i) steps[i] = place(rows[i + 1]) - place(rows[i]);
+    return steps;
+  };
+  const bool by_time = columns_.time && are_even(step_of([&](auto row) { return samples_.values[1][row]; }));
+  if (!by_time && !are_even(step_of([](auto row) { return static_cast<double>(row); }))) return;
+  used_.all_time_s = time_s();
+  used_.rows = rows;
+  for (auto& row : samples_.values) row = used_.of(row, rows.size());
+  if (!samples_.lines.empty()) {
+    for (std::size_t i = 0; i < rows.size(); ++i) samples_.lines[i] = samples_.lines[rows[i]];
+    samples_.lines.resize(rows.size());
+  }
+  std::erase_if(samples_.flaws, [&](Samples::Flaw& flaw) {
+    const auto row = std::lower_bound(rows.begin(), rows.end(), flaw.sample);
+    const bool gone = row == rows.end() || *row != flaw.sample;
+    if (!gone) flaw.sample = static_cast<std::size_t>(row - rows.begin());
+    return gone;
+  });
+  notes.push_back(fmt::format("{} {} has a number in {} of {} rows, evenly spaced: the others are left out",
+                              recording_.word, excerpt(columns_.all[columns_.value].text), rows.size(),
+                              rows.size() + left_out));
+}
+
 std::vector<RawSamples::Run> RawSamples::runs_without_number() const {
   std::vector<Run> runs;
   for (std::size_t i = 0; i < size(); ++i) {
@@ -73,7 +115,13 @@ std::vector<RawSamples::Run> RawSamples::runs_without_number() const {
 // Returns the median over steps as wide as a tenth of the recording, which is robust against single wrong
 // times and a coarse clock; infinite if the times do not increase.
 double RawSamples::step_s() const {
-  if (!columns_.time) return 1 / columns_.rate_hz;
+  if (!columns_.time) {
+    const auto& rows = used_.rows;
+    const double spacing = rows.size() < 2 ? 1
+                                           : static_cast<double>(rows.back() - rows.front()) /
+                                                 static_cast<double>(rows.size() - 1);
+    return spacing / columns_.rate_hz;
+  }
   const std::vector<double>& time = samples_.values[1];
   const std::size_t width = std::max<std::size_t>(time.size() / 10, 1);
   std::vector<double> steps;
@@ -139,7 +187,7 @@ void RawSamples::leave_out(const Run& run) {
     row.erase(row.begin() + static_cast<std::ptrdiff_t>(run.begin),
               row.begin() + static_cast<std::ptrdiff_t>(run.end));
   };
-  if (run.begin == 0) first_ += run.end;
+  if (run.begin == 0) used_.first += run.end;
   for (auto& row : samples_.values) cut(row);
   if (!samples_.lines.empty()) cut(samples_.lines);
 }
@@ -157,7 +205,10 @@ std::vector<double> RawSamples::value() const {
 std::vector<double> RawSamples::time_s() const {
   if (columns_.time) return scaled(1, *columns_.time);
   std::vector<double> time(size());
-  for (std::size_t i = 0; i < time.size(); ++i) time[i] = static_cast<double>(i) / columns_.rate_hz;
+  for (std::size_t i = 0; i < time.size(); ++i) {
+    const std::size_t row = used_.rows.empty() ? i : used_.rows[used_.first + i] - used_.rows[used_.first];
+    time[i] = static_cast<double>(row) / columns_.rate_hz;
+  }
   return time;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "traces/choose_columns.hpp"
+#include "traces/used_samples.hpp"
 
 namespace trunk {
 
@@ -17,8 +18,15 @@ class RawSamples {
   RawSamples(Recording& recording, const TraceColumns& columns);
 
   const std::string& word() const { return recording_.word; }
+  const std::vector<ColumnName>& names() const { return columns_.all; }  ///< of all channels
   std::size_t size() const { return samples_.values.front().size(); }
-  std::size_t first() const { return first_; }  ///< how many samples at the beginning were removed
+  const UsedSamples& used() const { return used_; }
+
+  /// Leaves out the rows in which the signal has no number, if more than a tenth are such rows and the others
+  /// are evenly spaced, in time or in the file: then channels at different rates share the rows, and nothing
+  /// is missing. "Evenly" means that 49 of 50 steps differ by less than a quarter from the median (our
+  /// choice). Adds a note.
+  void leave_out_other_rates(std::vector<std::string>& notes);
 
   /// Repairs samples without a number (NaN): interpolates them by sample number, and removes them at either
   /// end of the recording. Adds a note. Throws InputErrors if more than a quarter of a second is missing at a
@@ -55,7 +63,7 @@ class RawSamples {
   const TraceColumns& columns_;
   std::vector<std::size_t> chosen_;  // the value, then time and sigma if there are any
   Samples samples_;
-  std::size_t first_ = 0;
+  UsedSamples used_;
 };
 
 }  // namespace trunk

@@ -55,14 +55,14 @@ void check_filled(const Samples& samples, const std::vector<double>& value, cons
 }  // namespace
 
 TraceChannel read_channel(Recording& recording, const ChannelColumn& column, const std::string& name,
-                          const SamplesUsed& used, std::vector<std::string>& notes) {
+                          const UsedSamples& used, const std::vector<double>& time_s,
+                          std::vector<std::string>& notes) {
   const std::size_t chosen[] = {column.column};
-  const Samples samples = recording.read(chosen);
-  const auto begin = samples.values[0].begin() + static_cast<std::ptrdiff_t>(used.first);
-  TraceChannel channel{
-      column.kind, name, column.unit, {begin, begin + static_cast<std::ptrdiff_t>(used.time_s.size())}};
+  Samples samples = recording.read(chosen);
+  if (!used.rows.empty()) bridge(used.all_time_s, samples.values[0]);  // its numbers may be in other rows
+  TraceChannel channel{column.kind, name, column.unit, used.of(samples.values[0], time_s.size())};
   for (double& value : channel.value) value *= column.to_si;
-  const Repair repair = bridge(used.time_s, channel.value);
+  const Repair repair = bridge(time_s, channel.value);
   check_filled(samples, channel.value, recording, name, column);
   const std::string word_and_name = fmt::format("{} {}", recording.word, excerpt(name));
   if (repair.bridged > 0)

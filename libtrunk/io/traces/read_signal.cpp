@@ -13,6 +13,8 @@ TraceOptions trace_options(const SignalOptions& given) {
   options.rate_hz = given.rate_hz;
   options.invert = given.invert;
   options.remove_drift = given.remove_drift;
+  options.encoding = given.encoding;
+  options.block = given.block;
   options.channels = given.channels;
   if (!given.flow.empty()) options.kind = SignalKind::flow;
   if (!given.volume.empty()) options.kind = SignalKind::volume;

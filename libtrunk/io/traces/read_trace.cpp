@@ -48,12 +48,12 @@ void check_positive(const std::vector<double>& sigma_m3, const RawSamples& sampl
 }
 
 // Adds the channels beside the signal. => trace
-void add_channels(Recording& recording, const TraceColumns& columns, std::size_t first, Trace& trace) {
+void add_channels(Recording& recording, const TraceColumns& columns, const UsedSamples& used, Trace& trace) {
   Mistakes mistakes;
   for (const ChannelColumn& column : columns.channels.columns)
     mistakes.gather([&] {
-      trace.channels.push_back(read_channel(recording, column, columns.all[column.column].text,
-                                            {first, trace.time_s}, trace.notes));
+      trace.channels.push_back(
+          read_channel(recording, column, columns.all[column.column].text, used, trace.time_s, trace.notes));
     });
   mistakes.settle();
 }
@@ -61,11 +61,13 @@ void add_channels(Recording& recording, const TraceColumns& columns, std::size_t
 }  // namespace
 
 Trace read_trace(const std::filesystem::path& path, const TraceOptions& options) {
-  const auto recording = open_recording(path);
+  const auto recording = open_recording(path, {options.encoding, options.block});
   const TraceColumns columns = choose_columns(*recording, options);
   Trace trace = empty_trace(columns, path.string());
   RawSamples samples(*recording, columns);
+  trace.notes.insert(trace.notes.end(), recording->notes.begin(), recording->notes.end());
   check_enough_samples(samples, *recording);
+  samples.leave_out_other_rates(trace.notes);
   const ColumnName* clock = columns.time ? &columns.all[*columns.time] : nullptr;
   Mistakes mistakes;
   if (!mistakes.gather([&] { samples.bridge_missing(trace.notes); })) {
@@ -81,8 +83,8 @@ Trace read_trace(const std::filesystem::path& path, const TraceOptions& options)
   mistakes.settle();
   trace.inverted_by_user = options.invert;
   trace.drift_by_user = options.remove_drift;
-  check_other(*recording, columns, samples.first(), trace);
-  add_channels(*recording, columns, samples.first(), trace);
+  check_other(*recording, columns, samples.used(), trace);
+  add_channels(*recording, columns, samples.used(), trace);
   return trace;
 }
 

@@ -6,7 +6,8 @@
 
 namespace trunk {
 
-/// Reads a breathing signal from a text table, a MAT-file or EDF/BDF (see open_recording).
+/// Reads a breathing signal from a text table, a text of LabChart or AcqKnowledge, a MAT-file or EDF/BDF (see
+/// open_recording).
 ///
 /// The documented columns are `time_s|time_ms|time_min`, `volume_ml|volume_L|flow_L_s|flow_L_min|flow_ml_s`
 /// and optionally `sigma_ml`, also written as "Time (s)" or "Flow [L/s]". If they are missing, columns with
@@ -18,9 +19,10 @@ namespace trunk {
 /// volume of one file are held against each other (see check_other). The sign of a signal is turned before
 /// that if `options.invert`, and then stays.
 ///
-/// Two faults are repaired, with a note. Up to 0.25 s of samples without a number are interpolated, or
-/// removed at either end. Equal times of a coarse clock are spread evenly. Another note reports a rate below
-/// 10 or above 2000 samples per second.
+/// If channels at different rates share the rows of a table, those without the signal are left out (see
+/// RawSamples). Two faults are repaired, with a note. Up to 0.25 s of samples without a number are
+/// interpolated, or removed at either end. Equal times of a coarse clock are spread evenly. Another note
+/// reports a rate below 10 or above 2000 samples per second.
 ///
 /// The limits are our choice: 200 MB of text, 10 million samples, 1 MB per line. Throws InputErrors with file
 /// and line if columns are missing, if the unit of one is not clear, if more samples have no number, if time

@@ -7,6 +7,7 @@
 
 #include "math/median.hpp"
 #include "text/message_text.hpp"
+#include "traces/breath_table.hpp"
 
 namespace trunk {
 namespace {
@@ -79,7 +80,9 @@ void check_gaps(const Times& time, double step, const RawSamples& samples) {
 }
 
 // If the times are plausible in another unit, the error suggests this unit.
-std::string hint_for(double step, const ColumnName* column) {
+std::string hint_for(double step, const ColumnName* column, const std::vector<ColumnName>& all) {
+  if (!numbers_of_breaths(all).empty())
+    return fmt::format("if each row is a breath, {}", remedy_for_breath_table);
   if (column && column->unit == "s" && step / 1e3 <= 1 / lowest_rate_hz)
     return "the column named in seconds may hold milliseconds: name it time_ms or add --time-unit ms";
   if (column && column->unit == "min" && step / 60 <= 1 / lowest_rate_hz)
@@ -93,7 +96,7 @@ void check_rate(double step, const RawSamples& samples, const ColumnName* column
   if (rate < lowest_rate_hz * (1 - 1e-6))
     throw samples.error(fmt::format("a sample every {} s found", number_text(step)),
                         fmt::format("at least {} a second", number_text(lowest_rate_hz)),
-                        hint_for(step, column));
+                        hint_for(step, column, samples.names()));
   if (rate < usual_low_hz * (1 - 1e-6))
     notes.push_back(fmt::format(
         "only {} samples a second: times of breaths are not more exact than the steps between samples",

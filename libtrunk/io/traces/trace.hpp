@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -44,6 +45,8 @@ struct TraceOptions {
   double rate_hz = 0;              ///< samples per second if there are no times; 0: as in the file
   bool invert = false;             ///< the sign of the signal is turned
   bool remove_drift = false;       ///< a drift as large as a breath is one
+  std::string encoding;            ///< of a text, as iconv calls it; empty: automatic
+  std::size_t block = 0;           ///< part of a recording with interruptions, from 1; 0: the longest
   ChannelOptions channels;
 };
 

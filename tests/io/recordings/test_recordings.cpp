@@ -1,6 +1,7 @@
 #include <matio.h>
 
 #include <cmath>
+#include <cstring>
 #include <fstream>
 #include <iterator>
 
@@ -245,6 +246,116 @@ TEST_CASE("EDF and BDF give channels at their own rates") {
              Contains("no channel '4' among 'SpO2', 'Resp flow', 'Thorax'"));
 }
 
+TEST_CASE("EDF+D is read where its records follow each other", "[faults]") {
+  const bool bdf = GENERATE(false, true);
+  const std::vector<EdfChannel> channels{{"Flow.40ms", "L/s", 100, 2, wave},
+                                         {"Press", "cmH2O", 25, 50, wave}};
+  const auto file = [&](const std::vector<std::string>& starts) {
+    return edf_bytes(channels, static_cast<int>(starts.size()), bdf, starts);
+  };
+  const double accuracy = bdf ? 1e-6 : 1e-4;
+  check_waves(trace_of(file({"+0", "+1", "+2", "+3"})), 1e-3, 100, accuracy);
+  check_waves(trace_of(file({"+0.25", "+1.25", "+2.25", "+3.25"})), 1e-3, 100, accuracy);
+
+  const std::string interrupted = file({"+0", "+1", "+7.5", "+8.5", "+9.5"});
+  const Trace longest = trace_of(interrupted);
+  REQUIRE(longest.value.size() == 300);
+  for (int i = 0; i < 300; ++i) REQUIRE(longest.value[i] == Approx(1e-3 * wave(200 + i)).margin(2e-7));
+  CHECK_THAT(longest.notes.at(1),
+             Contains("part 2 of 2, the longest, is read, 3 s from 7.5 s on (--block 1 reads another)"));
+  TraceOptions first;
+  first.block = 1;
+  const Trace earlier = trace_of(interrupted, first);
+  REQUIRE(earlier.value.size() == 200);
+  CHECK(earlier.value[150] == Approx(1e-3 * wave(150)).margin(2e-7));
+  first.block = 3;
+  CHECK_THROWS_WITH(trace_of(interrupted, first),
+                    Contains("--block 3: ") && Contains("has 2 uninterrupted parts"));
+
+  CHECK_THAT(trace_error(interrupted.substr(0, interrupted.size() - 1)), Contains("cut short"));
+  CHECK_THAT(trace_error(file({"+0", "+1", "nothing"})), Contains("record 3 has no time"));
+}
+
+TEST_CASE("A compressed variable that zlib finds changed is refused", "[faults]") {
+  const TemporaryFolder folder;
+  const auto path = folder / "a.mat";
+  {
+    MatWriter file(path, MAT_FT_MAT5);
+    file.write(MatWriter::matrix("fs", {100.0}, 1));
+    file.write(MatWriter::matrix("volume_ml", waves(100), samples));
+  }
+  const std::string good = content_of(path);
+  REQUIRE(trace_error_at(path).empty());
+  int other_numbers = 0, refused = 0;
+  const Trace right = read_trace(path);
+  for (std::size_t place = 240; place + 8 < good.size(); place += good.size() / 40) {
+    std::string bad = good;
+    bad[place] = static_cast<char>(bad[place] ^ 1);
+    folder.write("a.mat", bad);
+    const bool read = trace_error_at(path).empty();
+    refused += read ? 0 : 1;
+    other_numbers += read && read_trace(path).value != right.value ? 1 : 0;
+  }
+  CHECK(refused > 30);
+  CHECK(other_numbers == 0);
+}
+
+namespace {
+
+/// A data element of a MAT-file of version 5: its type and its content.
+std::string mat_element(std::uint32_t type, std::string content) {
+  const auto size = static_cast<std::uint32_t>(content.size());
+  std::string bytes(2 * sizeof type, '\0');
+  std::memcpy(bytes.data(), &type, sizeof type);
+  std::memcpy(bytes.data() + sizeof type, &size, sizeof size);
+  content.resize((content.size() + 7) / 8 * 8, '\0');
+  return bytes + content;
+}
+
+std::string mat_words(const std::vector<std::uint32_t>& words) {
+  return {reinterpret_cast<const char*>(words.data()), words.size() * sizeof(std::uint32_t)};
+}
+
+/// A table as MATLAB saves it: an object that refers to the bytes behind all variables, which have no name.
+std::string mat_table(const std::string& name) {
+  constexpr std::uint32_t int8 = 1, uint8 = 2, int32 = 5, uint32 = 6, matrix = 14;
+  constexpr std::uint32_t of_uint8 = 9, of_uint32 = 13, opaque = 17;
+  const auto array = [&](std::uint32_t of, std::uint32_t count, std::uint32_t type, const std::string& data) {
+    return mat_element(matrix, mat_element(uint32, mat_words({of, 0})) +
+                                   mat_element(int32, mat_words({1, count})) + mat_element(int8, "") +
+                                   mat_element(type, data));
+  };
+  std::string bytes(2000, '\0');
+  for (std::size_t i = 0; i < bytes.size(); ++i) bytes[i] = static_cast<char>(i);
+  return mat_element(matrix, mat_element(uint32, mat_words({opaque, 0})) + mat_element(int8, name) +
+                                 mat_element(int8, "MCOS") + mat_element(int8, "table") +
+                                 array(of_uint32, 6, uint32, mat_words({0xDD000000, 2, 1, 1, 1, 1}))) +
+         array(of_uint8, 2000, uint8, bytes);
+}
+
+}  // namespace
+
+TEST_CASE("A MATLAB table is named, and its bytes are no signal", "[faults]") {
+  const TemporaryFolder folder;
+  const auto path = folder / "a.mat";
+  const bool beside_vectors = GENERATE(false, true);
+  {
+    MatWriter file(path, MAT_FT_MAT5);
+    file.write(MatWriter::matrix("fs", {100.0}, 1));
+    if (beside_vectors) file.write(MatWriter::matrix("flow_L_s", waves(), samples));
+  }
+  folder.write("a.mat", content_of(path) + mat_table("T"));
+  if (beside_vectors) {
+    check_waves(read_trace(path), 1e-3);
+    CHECK_THAT(trace_error_at(path, picked("T")),
+               Contains("no variable 'T' among 'flow_L_s'") && Contains("writetable"));
+  } else {
+    CHECK_THAT(trace_error_at(path),
+               Contains("FILE: a MATLAB table, timetable") && Contains("writetable(T, "));
+    CHECK_THAT(trace_error_at(path, picked("1")), Contains("FILE: a MATLAB table"));
+  }
+}
+
 TEST_CASE("A damaged EDF file gives an error of one line") {
   const std::string good = edf_bytes({{"Flow", "L/s", 100, 2, wave}}, 4);
   REQUIRE(trace_error(good).empty());
@@ -263,6 +374,12 @@ TEST_CASE("Files of other known formats are named") {
   CHECK_THAT(trace_error("PK\x03\x04zip"), Contains("FILE: this is a spreadsheet (.xlsx"));
   CHECK_THAT(trace_error("\x89HDF\r\n"), Contains("binary file (HDF5") && Contains("expected text"));
   CHECK_THAT(trace_error("\x1F\x8Bgz"), Contains("gzip"));
+  CHECK_THAT(trace_error("\r\n  <html><table>"), Contains("web page") && Contains("save the sheet as CSV"));
+  CHECK_THAT(trace_error("{\"flow\": [1, 2]}"), Contains("this is JSON"));
+  CHECK_THAT(trace_error("TDSm" + std::string(90, '\0')), Contains("LabVIEW"));
+  const TemporaryFolder folder;
+  CHECK_THAT(trace_error_at(folder.write("rest.ACQ", "\x1\x2" + std::string(90, '\0'))),
+             Contains("binary file of AcqKnowledge; expected text, MATLAB, EDF or BDF; save it from"));
   CHECK_THAT(trace_error("MATLAB 5.0 MAT-file" + std::string(120, ' ')),
              Contains("FILE: the MAT-file is damaged"));
 }

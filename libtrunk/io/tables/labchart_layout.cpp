@@ -1,0 +1,273 @@
+#include "tables/labchart_layout.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <optional>
+
+#include "errors/input_error.hpp"
+#include "tables/clock_time.hpp"
+#include "tables/column_names.hpp"
+#include "tables/leading_number.hpp"
+#include "text/message_text.hpp"
+
+namespace trunk {
+namespace {
+
+constexpr std::size_t most_blocks = 10'000, most_key_lines = 30, rows_looked_at = 50;
+
+using Cells = std::vector<std::string_view>;
+
+// Returns "Interval" for the line "Interval=\t0.01 s"; "" for a line of another form.
+std::string_view key_of(std::string_view line) {
+  if (line.starts_with('"')) line.remove_prefix(1);
+  std::size_t length = 0;
+  while (length < line.size() && ((line[length] | 0x20) >= 'a' && (line[length] | 0x20) <= 'z')) ++length;
+  return length > 0 && length < line.size() && line[length] == '=' ? line.substr(0, length)
+                                                                   : std::string_view{};
+}
+
+char delimiter_after_key(std::string_view line) {
+  line.remove_prefix(line.find('=') + 1);
+  if (line.starts_with('"')) line.remove_prefix(1);
+  return !line.empty() && std::string_view("\t;,").find(line.front()) != std::string_view::npos ? line.front()
+                                                                                                : ' ';
+}
+
+struct Block {
+  std::map<std::string_view, Cells> keys;
+  std::size_t header_line = 0, count = 0;
+  char delimiter = '\t';
+  double interval_s = 0;  // 0: not known
+  TextLines rows;         // is just before the first row, and ends with the last
+
+  Cells values_of(std::string_view key) const {
+    const auto found = keys.find(key);
+    return found == keys.end() ? Cells{} : found->second;
+  }
+  double length_s() const { return static_cast<double>(count) * (interval_s > 0 ? interval_s : 1); }
+};
+
+void take_key(Block& block, std::string_view key, std::string_view line, std::size_t number) {
+  if (key == "ChannelTitle") {
+    block.header_line = number;
+    block.delimiter = delimiter_after_key(line);
+  }
+  split_cells(line, delimiter_after_key(line), block.keys[key]);
+  Cells& cells = block.keys[key];
+  cells.erase(cells.begin());
+  if (key != "Interval" || cells.empty()) return;
+  const LeadingNumber interval = leading_number(
+      cells.size() > 1 ? std::string(cells[0]) + " " + std::string(cells[1]) : std::string(cells[0]));
+  const auto unit = unit_of(interval.rest.empty() ? "s" : interval.rest);
+  block.interval_s = unit && unit->quantity == Quantity::time && interval.value > 0 && interval.value < 1e9
+                         ? interval.value * unit->to_si
+                         : 0;
+}
+
+std::vector<Block> blocks_of(const TextLines& lines) {
+  std::vector<Block> blocks;
+  TextLines at = lines, before = lines;
+  bool in_header = false;
+  for (std::string_view line; at.next(line); before = at) {
+    const std::string_view key = key_of(line);
+    if (!key.empty() && !in_header) {
+      if (!blocks.empty()) blocks.back().rows.stop_at(before);
+      if (blocks.size() >= most_blocks)
+        throw InputError({lines.source(), at.number()}, fmt::format("more than {} blocks found", most_blocks),
+                         "fewer", "export a part of the recording");
+      Block next{{}, 0, 0, '\t', 0, lines};
+      if (!blocks.empty()) {  // what the new header does not say holds on
+        next = blocks.back();
+        next.count = 0;
+      }
+      blocks.push_back(std::move(next));
+    }
+    in_header = !key.empty();
+    if (in_header) {
+      take_key(blocks.back(), key, line, at.number());
+      blocks.back().rows = at;
+    } else if (!blocks.empty()) {
+      ++blocks.back().count;
+    }
+  }
+  std::erase_if(blocks, [](const Block& block) { return block.count == 0; });
+  return blocks;
+}
+
+std::string lengths_of(const std::vector<Block>& blocks) {
+  constexpr std::size_t most = 6;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(blocks.size(), most); ++i)
+    text += fmt::format("{}{}", i > 0 ? ", " : "", number_text(blocks[i].length_s(), 4));
+  return text + (blocks.size() > most ? ", ..." : "");
+}
+
+// Returns the number of the block to read, from 0, and adds a note if nobody chose it.
+std::size_t chosen_block(const std::vector<Block>& blocks, std::size_t wanted, const std::string& source,
+                         std::vector<std::string>& notes) {
+  if (blocks.empty())
+    throw InputError({source}, "headers without rows of numbers below them", "at least 10 samples",
+                     "check that the export was finished");
+  if (wanted > blocks.size())
+    throw InputError({fmt::format("--block {}", wanted)},
+                     fmt::format("{} has {} block{}", source, blocks.size(), blocks.size() == 1 ? "" : "s"),
+                     "the number of a block, from 1");
+  if (wanted > 0 || blocks.size() == 1) return wanted > 0 ? wanted - 1 : 0;
+  const auto longest = std::max_element(blocks.begin(), blocks.end(), [](const Block& a, const Block& b) {
+    return a.length_s() < b.length_s();
+  });
+  const auto chosen = static_cast<std::size_t>(longest - blocks.begin());
+  notes.push_back(fmt::format(
+      "the file has {} blocks, of {} {}: block {}, the longest, is read (--block {} reads another)",
+      blocks.size(), lengths_of(blocks), longest->interval_s > 0 ? "s" : "rows", chosen + 1,
+      chosen == 0 ? 2 : 1));
+  return chosen;
+}
+
+bool is_date(std::string_view cell) {
+  const auto marks =
+      std::count_if(cell.begin(), cell.end(), [](char c) { return c == '/' || c == '.' || c == '-'; });
+  return cell.size() >= 6 && cell.size() <= 10 && marks == 2 && cell.front() != '-' &&
+         cell.find_first_not_of("0123456789/.-") == std::string_view::npos;
+}
+
+std::vector<Cells> first_rows(const Block& block) {
+  std::vector<Cells> rows;
+  TextLines at = block.rows;
+  for (std::string_view line; rows.size() < rows_looked_at && at.next(line);) {
+    Cells cells;
+    split_cells(line, block.delimiter, cells);
+    const auto comment =
+        std::find_if(cells.begin(), cells.end(), [](std::string_view cell) { return cell.starts_with('#'); });
+    cells.erase(comment, cells.end());
+    while (!cells.empty() && cells.back().empty()) cells.pop_back();
+    if (!cells.empty()) rows.push_back(std::move(cells));
+  }
+  return rows;
+}
+
+// Returns the step of a column of numbers that increase evenly, give or take one step, since times are
+// rounded; nothing for another column.
+std::optional<double> even_step(const std::vector<Cells>& rows, std::size_t column, char delimiter) {
+  std::vector<double> values;
+  for (const Cells& row : rows) {
+    if (column >= row.size()) return std::nullopt;
+    const auto [value, error] = cell_number(row[column], delimiter != ',');
+    if (error != std::errc{} || !std::isfinite(value)) return std::nullopt;
+    values.push_back(value);
+  }
+  if (values.size() < 2 || !(values.back() > values.front())) return std::nullopt;
+  const double step = (values.back() - values.front()) / static_cast<double>(values.size() - 1);
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (std::abs(values[i] - values.front() - step * static_cast<double>(i)) > step) return std::nullopt;
+  return step;
+}
+
+// Returns the unit in which steps of a time agree with the interval; "" if there is none.
+std::string unit_of_times(double step, double interval_s) {
+  constexpr double tolerance = 0.05;  // times are rounded
+  for (const std::string unit : {"s", "ms", "min", "h"})
+    if (std::abs(step * unit_of(unit)->to_si - interval_s) <= tolerance * interval_s) return unit;
+  return "";
+}
+
+class Columns {
+ public:
+  Columns(const Block& block, TableLayout& layout)
+      : block_(block), layout_(layout), rows_(first_rows(block)), titles_(block.values_of("ChannelTitle")) {
+    for (const Cells& row : rows_) cells_ = std::max(cells_, row.size());
+    const std::size_t channels = std::max(titles_.size(), block.values_of("UnitName").size());
+    titles_.resize(channels);
+  }
+
+  void name() {
+    const bool date_first = is_date(cell(0));
+    if (date_first) add("date", "");
+    const bool timed = take_time(layout_.names.size());
+    if (!date_first && is_date(cell(layout_.names.size()))) add("date", "");
+    if (!timed) require_rate();
+    for (std::size_t i = 0; i < titles_.size(); ++i)
+      add(titles_[i].empty() ? fmt::format("Channel {}", i + 1) : std::string(titles_[i]),
+          unit_of_channel(i));
+  }
+
+ private:
+  std::string_view cell(std::size_t column) const {
+    return rows_.empty() || column >= rows_.front().size() ? std::string_view{} : rows_.front()[column];
+  }
+
+  void add(std::string name, std::string unit) {
+    layout_.names.push_back(std::move(name));
+    layout_.units.push_back(std::move(unit));
+  }
+
+  // Finds out whether a column holds times, and names it.
+  bool take_time(std::size_t column) {
+    const double interval = block_.interval_s;
+    if (clock_time(cell(column))) {
+      add("time", "s");
+      return true;
+    }
+    const auto step = even_step(rows_, column, block_.delimiter);
+    const std::string unit = step && interval > 0 ? unit_of_times(*step, interval) : "";
+    const bool by_count = cells_ > titles_.size() + column;
+    if (unit.empty() && !(step && by_count)) return false;
+    if (unit.empty() && interval > 0)
+      layout_.notes.push_back(
+          fmt::format("Interval= says {} s, and the times step by {}: the times are used, in seconds",
+                      number_text(interval), number_text(*step)));
+    add("time", unit.empty() ? "s" : unit);
+    return true;
+  }
+
+  void require_rate() {
+    layout_.rate_hz = block_.interval_s > 0 ? 1 / block_.interval_s : 0;
+    if (layout_.rate_hz > 0) return;
+    throw InputError({block_.rows.source(), block_.header_line},
+                     "a LabChart text without times and without a known Interval=", "one of both",
+                     "export it with times, or add --rate HZ");
+  }
+
+  // Returns "L/s" for the range "10.000 L/s".
+  std::string unit_of_channel(std::size_t i) const {
+    if (const Cells units = block_.values_of("UnitName"); i < units.size() && units[i] != "*")
+      return std::string(units[i]);
+    const Cells ranges = block_.values_of("Range");
+    const bool in_pairs = block_.delimiter == ' ' && ranges.size() == 2 * titles_.size();
+    if (in_pairs) return std::string(ranges[2 * i + 1]);
+    return i < ranges.size() ? leading_number(std::string(ranges[i])).rest : "";
+  }
+
+  const Block& block_;
+  TableLayout& layout_;
+  const std::vector<Cells> rows_;
+  Cells titles_;
+  std::size_t cells_ = 0;  // of the longest row
+};
+
+}  // namespace
+
+bool is_labchart(TextLines lines) {
+  std::string_view line;
+  for (std::size_t i = 0; i < most_key_lines && lines.next(line); ++i) {
+    const std::string_view key = key_of(line);
+    if (key.empty()) return false;
+    if (key == "ChannelTitle") return true;
+  }
+  return false;
+}
+
+TableLayout labchart_layout(const TextLines& lines, std::size_t block) {
+  const std::vector<Block> blocks = blocks_of(lines);
+  std::vector<std::string> notes;
+  const Block& chosen = blocks[chosen_block(blocks, block, lines.source(), notes)];
+  TableLayout layout{chosen.delimiter, chosen.header_line, true, {}, {}, chosen.rows, 0, std::move(notes)};
+  Columns(chosen, layout).name();
+  return layout;
+}
+
+}  // namespace trunk
