@@ -155,6 +155,9 @@ class Hostile(TrunkTest):
         with h5py.File(self.folder / "x.h5", "w", libver="earliest") as file:
             file["b"] = 2
         self.refused_by_all("of another program; expected")
+        with h5py.File(self.folder / "r.h5") as ours, h5py.File(self.folder / "x.h5", "w", libver="earliest") as file:
+            file.attrs["schema"] = ours.attrs["schema"]
+        self.refused_by_all("holds results of trunk, but another program such as h5repack")
 
 
 class FitFiles(TrunkTest):

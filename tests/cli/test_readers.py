@@ -95,6 +95,27 @@ class H5py(Written):
                 self.assertGreater(len(found), 30)
                 self.assertEqual([n for n, d in found if not (d.fletcher32 and d.shuffle and d.compression == "gzip")], [])
 
+    def layouts(self, path):
+        found = {}
+        with h5py.File(path) as file:
+            file.visititems(lambda name, o: found.setdefault(o.id.get_create_plist().get_layout(), []).append(name)
+                            if isinstance(o, h5py.Dataset) else None)
+        return found
+
+    def test_layouts_that_ncdf4_knows(self):
+        """R's ncdf4 opens a file if every dataset is chunked or contiguous."""
+        known = {h5py.h5d.CHUNKED, h5py.h5d.CONTIGUOUS}
+        for path in self.files():
+            found = self.layouts(path)
+            self.assertEqual(set(found) - known, {h5py.h5d.VIRTUAL})
+            self.assertEqual([n for n in found[h5py.h5d.VIRTUAL] if "VTKHDF/" not in n], [])
+            if shutil.which("h5repack"):
+                copy = self.folder / "r.h5"
+                subprocess.run(["h5repack", "-l", "CONTI", path, copy], check=True)
+                self.assertEqual(set(self.layouts(copy)) - known, set())
+        self.succeeds("simulate", HEALTHY, "-o", "summary.h5", "--every", "0", *SHORT)
+        self.assertEqual(set(self.layouts(self.folder / "summary.h5")) - known, set())
+
     def test_h5dump(self):
         if not shutil.which("h5dump"):
             self.skipTest("needs hdf5-tools")

@@ -42,6 +42,16 @@ struct Superblock {
   }
 };
 
+/// Returns whether the name of one of our schemas stands near the beginning, where the root group is. HDF5 is
+/// not asked, since it may crash on such a file.
+bool holds_our_schema(const std::filesystem::path& path) {
+  constexpr std::size_t near = 1'000'000;
+  const std::string bytes = bytes_at(path, 0, near);
+  for (const char* schema : {"trunk.run", "trunk.fit", "trunk.sweep"})
+    if (bytes.find(schema) != std::string::npos) return true;
+  return false;
+}
+
 }  // namespace
 
 std::string seal_of(std::span<const std::byte> hdf5) {
@@ -65,7 +75,13 @@ void require_intact(const std::filesystem::path& path) {
   const Superblock head{bytes_at(path, 0, Superblock::size)};
   if (head.bytes.size() < Superblock::size)
     refuse(fmt::format("is truncated: it has only {} bytes", size), "", repeat);
-  if (!head.is_ours()) refuse("is an HDF5 file of another program", "a results file of trunk", "");
+  if (!head.is_ours()) {
+    if (holds_our_schema(path))
+      refuse(
+          "holds results of trunk, but another program such as h5repack has rewritten it in an older format",
+          "the file as trunk wrote it", "use the original here; other programs can read this copy");
+    refuse("is an HDF5 file of another program", "a results file of trunk", "");
+  }
   const std::uint64_t end = head.end_of_hdf5();
   if (size == end) return;
   if (size >= end + seal_size) refuse(damaged, "", repeat);

@@ -14,8 +14,6 @@ namespace {
 constexpr hsize_t chunk_bytes = hsize_t{1} << 20;  // the default chunk cache holds one such chunk
 constexpr hsize_t frames_per_chunk = 64;
 constexpr hsize_t bytes_at_once = hsize_t{32} << 20;
-constexpr std::size_t text_reference_bytes = 16;  // HDF5: length, address and index of a text in its heap
-constexpr std::size_t largest_compact = 60000;    // HDF5: an object header message has less than 64 KiB
 
 void check_name(const std::string& name) {
   if (name.empty() || name == "." || name.find('/') != std::string::npos) {
@@ -74,11 +72,10 @@ std::string path_of(hid_t object) {
 }
 
 /// Returns the properties of datasets without filters: single values, and texts, whose bytes are elsewhere.
-/// If the value fits, it is compact: in the object header, which has a checksum.
-Properties unfiltered(std::size_t bytes) {
+/// They are contiguous, since R's ncdf4 opens no file with a compact dataset.
+Properties unfiltered() {
   Properties properties = dataset_properties();
-  require(H5Pset_layout(properties, bytes <= largest_compact ? H5D_COMPACT : H5D_CONTIGUOUS),
-          "choose a layout");
+  require(H5Pset_layout(properties, H5D_CONTIGUOUS), "choose a layout");
   return properties;
 }
 
@@ -94,8 +91,7 @@ Dataset write_shape(hid_t group, const Label& label, std::span<const Value> valu
   }
   const Packed<Value> packed(values);
   constexpr bool is_text = std::is_same_v<Value, std::string>;
-  const Properties properties =
-      is_text ? unfiltered(values.size() * text_reference_bytes) : filtered(shape, packed.value_bytes());
+  const Properties properties = is_text ? unfiltered() : filtered(shape, packed.value_bytes());
   const Space space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), doing);
   Dataset dataset(
       H5Dcreate2(group, label.name.c_str(), packed.file_type(), space, H5P_DEFAULT, properties, H5P_DEFAULT),
@@ -114,7 +110,7 @@ Dataset write_shape(hid_t group, const Label& label, std::span<const Value> valu
 Dataset write_scalar(hid_t group, const Label& label, hid_t file_type, hid_t memory_type, const void* value) {
   check_name(label.name);
   const std::string doing = "write dataset " + label.name;
-  const Properties properties = unfiltered(H5Tget_size(file_type));
+  const Properties properties = unfiltered();
   const Space space(H5Screate(H5S_SCALAR), doing);
   Dataset dataset(
       H5Dcreate2(group, label.name.c_str(), file_type, space, H5P_DEFAULT, properties, H5P_DEFAULT), doing);
