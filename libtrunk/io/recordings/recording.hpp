@@ -16,6 +16,7 @@ struct Channel {
   std::string unit;         ///< if the file gives it separately from the name; else empty
   double rate_hz = 0;       ///< samples per second; 0: the file does not say it
   std::size_t samples = 0;  ///< how many there are; 0: as many as of all other channels
+  bool is_clock = false;    ///< its cells are clock times, given in s since the first one
 };
 
 /// Samples of chosen channels, in the units of the file.

@@ -60,7 +60,7 @@ class TextRecording : public Recording {
     notes = table_.notes();
     for (std::size_t i = 0; i < table_.names().size(); ++i)
       channels.push_back(
-          {table_.names()[i], table_.units().empty() ? "" : table_.units()[i], table_.rate_hz(), 0});
+          {table_.names()[i], table_.units().empty() ? "" : table_.units()[i], table_.rate_hz(), 0, false});
     look_at_first_rows();
   }
 
@@ -156,6 +156,7 @@ class TextRecording : public Recording {
           seen[column] = true;
           if (first_cell.empty() && !table_.named()) first_cell = row.cells[column];
           is_clock_[column] = clock_time(row.cells[column]).has_value();
+          channels[column].is_clock = is_clock_[column];
           if (is_clock_[column]) channels[column].unit = "s";
         }
       }

@@ -59,6 +59,7 @@ class ColumnChoice {
 
   TraceColumns choose() {
     require_header();
+    require_samples();
     if (options_.kind != SignalKind::belt) require_unit("--unit", options_.unit, false);
     require_unit("--time-unit", options_.time_unit, true);
     Mistakes mistakes;
@@ -91,6 +92,20 @@ class ColumnChoice {
          "write a header (without '#') above the numbers, or choose columns by number, as in --time 1 --flow "
          "2 "
          "--unit L/s");
+  }
+
+  // Throws if the names show a table of breaths, unless one may be a signal or the user names it.
+  void require_samples() const {
+    const std::string names = numbers_of_breaths(chosen_.all);
+    const bool may_be_signal =
+        std::any_of(chosen_.all.begin(), chosen_.all.end(), [](const ColumnName& column) {
+          const auto role = role_of(column);
+          return role && *role != Role::time;
+        });
+    if (names.empty() || may_be_signal || options_.kind || !options_.value_column.empty()) return;
+    fail(fmt::format("each row seems to be a breath with its numbers, {}, as a metabolic cart writes them",
+                     names),
+         "a recording of flow or volume within the breaths", remedy_for_breath_table);
   }
 
   // ---- finding columns ----
@@ -193,6 +208,7 @@ class ColumnChoice {
       return;
     }
     chosen_.time = name.empty() ? automatic(Role::time, Quantity::time, options_.time_unit) : by_name(name);
+    if (!chosen_.time) chosen_.time = only_clock();
     if (!chosen_.time) return require_any_rate();
     apply_unit(*chosen_.time, options_.time_unit, "--time-unit");
     ColumnName& column = chosen_.all[*chosen_.time];
@@ -206,6 +222,20 @@ class ColumnChoice {
         fmt::format("{} names no unit of time: seconds are assumed (--time-unit ms changes this)",
                     word_and_name(*chosen_.time)));
     column.set(*unit_of("s"));
+  }
+
+  // Names of times are in many languages.
+  std::optional<Index> only_clock() {
+    std::optional<Index> found;
+    for (Index i = 0; i < recording_.channels.size(); ++i) {
+      if (!recording_.channels[i].is_clock) continue;
+      if (found) return std::nullopt;
+      found = i;
+    }
+    if (found)
+      chosen_.notes.push_back(
+          fmt::format("{} is taken as the time, since it alone has clock times", word_and_name(*found)));
+    return found;
   }
 
   void require_any_rate() const {
@@ -346,10 +376,6 @@ class ColumnChoice {
     }
     if (volume) return take(*volume, SignalKind::volume);
     if (const auto found = belt()) return take(*found, SignalKind::belt);
-    if (const std::string names = numbers_of_breaths(chosen_.all); !names.empty())
-      fail(fmt::format("each row seems to be a breath with its numbers, {}, as a metabolic cart writes them",
-                       names),
-           "a recording of flow or volume within the breaths", remedy_for_breath_table);
     auto hint = suggestion(chosen_.all, Quantity::volume);
     if (hint.empty()) hint = suggestion(chosen_.all, Quantity::flow);
     missing("volume or flow", fmt::format("one of {}", signal_names), hint, "--flow, --volume or --belt");
