@@ -26,7 +26,7 @@ bool take(std::string_view& text, char c) {
   return true;
 }
 
-bool is_letter(char c) {
+bool is_ascii_letter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }
 
@@ -38,7 +38,7 @@ char lower(char c) {
 bool take_word(std::string_view& text, std::string_view word) {
   if (text.size() < word.size()) return false;
   for (std::size_t i = 0; i < word.size(); ++i)
-    if (!is_letter(text[i]) || lower(text[i]) != word[i]) return false;
+    if (!is_ascii_letter(text[i]) || lower(text[i]) != word[i]) return false;
   text.remove_prefix(word.size());
   return true;
 }
@@ -108,7 +108,7 @@ std::optional<double> take_date(std::string_view& text) {
 char take_half_day(std::string_view& text) {
   std::string_view rest = text;
   take_spaces(rest);
-  if (rest.empty() || !is_letter(rest.front())) return ' ';
+  if (rest.empty() || !is_ascii_letter(rest.front())) return ' ';
   const char half = lower(rest.front());
   rest.remove_prefix(1);
   take(rest, '.');

@@ -37,8 +37,9 @@ ColumnName column_name(std::string_view header);
 
 enum class Role { time, flow, volume, belt };
 /// Returns the role of a column according to its name without the unit, in English, German, French, Spanish,
-/// Italian, Portuguese, Dutch or Swedish. Words that do not change the meaning ("airway", "sensor", numbers)
-/// are ignored. Returns nothing if the column may be another quantity, such as a peak flow.
+/// Italian, Portuguese, Dutch, Swedish, and a word or two in a dozen others. Words that do not change the
+/// meaning ("airway", "sensor", numbers) are ignored. Returns nothing if the column may be another quantity,
+/// such as a peak flow.
 std::optional<Role> role_of(const ColumnName& column);
 
 enum class TrunkPart { thorax, abdomen };

@@ -101,6 +101,24 @@ std::optional<double> take_factor(std::string_view& text) {
                                                     : std::nullopt;
 }
 
+// Returns the small letter for a capital of Latin, Greek or Cyrillic that UTF-8 writes in two bytes (Unicode,
+// charts U+0080 to U+04FF); any other character unchanged.
+unsigned lower_case(unsigned code) {
+  const auto within = [code](unsigned first, unsigned last) { return code >= first && code <= last; };
+  const bool even_capitals =
+      within(0x100, 0x12F) || within(0x132, 0x137) || within(0x14A, 0x177) || within(0x218, 0x21B);
+  const bool odd_capitals = within(0x139, 0x148) || within(0x179, 0x17E);
+  if (even_capitals) return code | 1U;
+  if (odd_capitals) return code % 2 == 1 ? code + 1 : code;
+  if ((within(0xC0, 0xDE) && code != 0xD7) || within(0x391, 0x3A9) || within(0x410, 0x42F))
+    return code + 0x20;
+  if (within(0x388, 0x38A)) return code + 0x25;
+  if (code == 0x386) return 0x3AC;
+  if (code == 0x38C) return 0x3CC;
+  if (within(0x400, 0x40F)) return code + 0x50;
+  return code;
+}
+
 std::string without_conditions(std::string plain) {
   for (const std::string_view condition : gas_conditions())
     if (plain.ends_with(condition)) plain.resize(plain.size() - condition.size());
@@ -131,17 +149,20 @@ std::optional<Unit> any_unit(std::string_view text) {
 
 std::string plain_name(std::string_view header) {
   std::string plain;
-  unsigned char before = 0;
-  for (const char c : header) {
-    const auto byte = static_cast<unsigned char>(c);
-    const bool capital = before == 0xC3 && byte >= 0x80 && byte <= 0x9E && byte != 0x97;
-    if (byte >= 0x80)
-      plain += static_cast<char>(capital ? byte + 0x20 : byte);
+  for (std::size_t i = 0; i < header.size(); ++i) {
+    const auto byte = static_cast<unsigned char>(header[i]);
+    const bool two = byte >= 0xC2 && byte <= 0xDF && i + 1 < header.size();
+    if (two) {
+      const unsigned code =
+          lower_case((byte & 0x1FU) << 6 | (static_cast<unsigned char>(header[++i]) & 0x3FU));
+      plain += static_cast<char>(0xC0 | code >> 6);
+      plain += static_cast<char>(0x80 | (code & 0x3F));
+    } else if (byte >= 0x80)
+      plain += header[i];
     else if (std::isalnum(byte))
       plain += static_cast<char>(std::tolower(byte));
     else if (!plain.empty() && plain.back() != '_')
       plain += '_';
-    before = byte;
   }
   if (plain.ends_with('_')) plain.pop_back();
   return plain;

@@ -31,7 +31,7 @@ std::string spoken_unit(std::string name);
 bool looks_like_unit(std::string_view text);
 
 /// Returns a header in lower case, with "_" for all characters that separate words. Letters are those of
-/// ASCII and all bytes of other scripts. Capitals of western Europe (U+00C0 to U+00DE) become lower case too.
+/// ASCII and all bytes of other scripts. Capitals of Latin, Greek and Cyrillic become lower case too.
 std::string plain_name(std::string_view header);
 
 }  // namespace trunk

@@ -58,11 +58,11 @@ TEST_CASE("Clocks of ventilators, spreadsheets and loggers are understood", "[fa
         Approx(1));
 
   // Whatever the column is called.
-  const Trace czas = trace_of(rows_of("Czas;flow_L_s;stan", 20, [](int i) {
+  const Trace laiks = trace_of(rows_of("Laiks;flow_L_s;stan", 20, [](int i) {
     return fmt::format("12:00:00.{:02};{};wdech", i, flow_of_row(i));
   }));
-  CHECK(czas.time_s[19] == Approx(0.19));
-  CHECK_THAT(czas.notes.at(0), Contains("'Czas' is taken as the time, since it alone has clock times"));
+  CHECK(laiks.time_s[19] == Approx(0.19));
+  CHECK_THAT(laiks.notes.at(0), Contains("'Laiks' is taken as the time, since it alone has clock times"));
 
   const auto read = [](const std::function<std::string(int)>& clock) {
     return trace_of(
