@@ -119,6 +119,17 @@ char take_half_day(std::string_view& text) {
   return half;
 }
 
+// Takes the same before a time, in Chinese, Japanese or Korean.
+char take_half_day_in_front(std::string_view& text) {
+  for (const std::string_view word : {"上午", "午前", "오전", "下午", "午後", "오후"}) {
+    if (!text.starts_with(word)) continue;
+    text.remove_prefix(word.size());
+    take_spaces(text);
+    return word == "上午" || word == "午前" || word == "오전" ? 'a' : 'p';
+  }
+  return ' ';
+}
+
 // Returns the offset from UTC in seconds that a text after a time of day names: "", "Z", "+02:00", "-0500",
 // "+02", " UTC+2"; 0 for the name of a zone; nothing for any other text.
 std::optional<double> zone_s(std::string_view text) {
@@ -156,6 +167,7 @@ std::optional<ClockTime> clock_time(std::string_view text) {
   if (text.size() > 60 || text.find(':') == std::string_view::npos) return std::nullopt;
   auto days = take_date(text);
   if (!days) days = take_days(text);
+  char half_day = take_half_day_in_front(text);
   std::array<int, 3> parts{};
   std::size_t count = 0;
   double fraction = 0;
@@ -173,7 +185,7 @@ std::optional<ClockTime> clock_time(std::string_view text) {
   } while (take(text, ':'));
   const auto decimals = take_fraction(text);
   if (count < 2 || !decimals || (*decimals > 0 && fraction > 0)) return std::nullopt;
-  const char half_day = take_half_day(text);
+  if (half_day == ' ') half_day = take_half_day(text);
   const auto zone = zone_s(text);
   if (!zone) return std::nullopt;
   if (half_day != ' ' && parts[0] <= 12) parts[0] = parts[0] % 12 + (half_day == 'p' ? 12 : 0);

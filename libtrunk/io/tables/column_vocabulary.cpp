@@ -145,11 +145,11 @@ constexpr std::array all_words{
     ColumnWord{"brustgurt", Role::belt}, ColumnWord{"bauchgurt", Role::belt},
     ColumnWord{"ribcage", Role::belt}};
 
-constexpr std::array<std::string_view, 34> all_ignored{
-    "resp",  "respiratory", "breathing", "air",      "airway",    "mouth", "nasal",   "oral", "lung",
-    "lungs", "mask",        "signal",    "sensor",   "channel",   "ch",    "kanal",   "raw",  "filtered",
-    "belt",  "effort",      "chest",     "thoracic", "abdominal", "au",    "a",       "u",    "stamp",
-    "date",  "and",         "since",     "start",    "elapsed",   "rel",   "relative"};
+constexpr std::array<std::string_view, 35> all_ignored{
+    "at",       "resp",  "respiratory", "breathing", "air",      "airway",    "mouth", "nasal",   "oral",
+    "lung",     "lungs", "mask",        "signal",    "sensor",   "channel",   "ch",    "kanal",   "raw",
+    "filtered", "belt",  "effort",      "chest",     "thoracic", "abdominal", "au",    "a",       "u",
+    "stamp",    "date",  "and",         "since",     "start",    "elapsed",   "rel",   "relative"};
 
 }  // namespace
 

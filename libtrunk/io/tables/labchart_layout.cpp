@@ -52,10 +52,8 @@ struct Block {
 };
 
 void take_key(Block& block, std::string_view key, std::string_view line, std::size_t number) {
-  if (key == "ChannelTitle") {
-    block.header_line = number;
-    block.delimiter = delimiter_after_key(line);
-  }
+  if (key == "ChannelTitle" || block.header_line == 0) block.header_line = number;
+  if (!trimmed(line).ends_with('=')) block.delimiter = delimiter_after_key(line);
   split_cells(line, delimiter_after_key(line), block.keys[key]);
   Cells& cells = block.keys[key];
   cells.erase(cells.begin());
@@ -128,6 +126,10 @@ std::size_t chosen_block(const std::vector<Block>& blocks, std::size_t wanted, c
   return chosen;
 }
 
+bool is_plain_number(std::string_view cell, char delimiter) {
+  return cell_number(cell, delimiter != ',').second == std::errc{};
+}
+
 bool is_date(std::string_view cell) {
   const auto marks =
       std::count_if(cell.begin(), cell.end(), [](char c) { return c == '/' || c == '.' || c == '-'; });
@@ -180,15 +182,17 @@ class Columns {
   Columns(const Block& block, TableLayout& layout)
       : block_(block), layout_(layout), rows_(first_rows(block)), titles_(block.values_of("ChannelTitle")) {
     for (const Cells& row : rows_) cells_ = std::max(cells_, row.size());
-    const std::size_t channels = std::max(titles_.size(), block.values_of("UnitName").size());
-    titles_.resize(channels);
+    const std::size_t ranges = block.values_of("Range").size() / (block.delimiter == ' ' ? 2 : 1);
+    titles_.resize(std::max({titles_.size(), block.values_of("UnitName").size(), ranges}));
   }
 
   void name() {
     const bool date_first = is_date(cell(0));
     if (date_first) add("date", "");
     const bool timed = take_time(layout_.names.size());
-    if (!date_first && is_date(cell(layout_.names.size()))) add("date", "");
+    const std::size_t next = layout_.names.size();
+    const bool too_many = cells_ > next + titles_.size() && !is_plain_number(cell(next), block_.delimiter);
+    if (!date_first && (is_date(cell(next)) || too_many)) add("date", "");
     if (!timed) require_rate();
     for (std::size_t i = 0; i < titles_.size(); ++i)
       add(titles_[i].empty() ? fmt::format("Channel {}", i + 1) : std::string(titles_[i]),
@@ -256,7 +260,7 @@ bool is_labchart(TextLines lines) {
   for (std::size_t i = 0; i < most_key_lines && lines.next(line); ++i) {
     const std::string_view key = key_of(line);
     if (key.empty()) return false;
-    if (key == "ChannelTitle") return true;
+    if (key == "ChannelTitle" || key == "ExcelDateTime") return true;
   }
   return false;
 }

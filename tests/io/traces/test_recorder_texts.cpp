@@ -100,6 +100,18 @@ TEST_CASE("A text of LabChart gives names, units and times", "[faults]") {
     given.unit = "L/s";
     check_flow(trace_of(text, given));
   }
+  SECTION("with a date in words") {
+    file.time = [](int i) { return fmt::format("{:.2f}|3 Dec 2024", 0.01 * i); };
+    check_flow(trace_of(file.text()));
+  }
+  SECTION("without the line of names") {
+    std::string text = file.text();
+    const auto at = text.find("ChannelTitle");
+    text.erase(at, text.find('\n', at) + 1 - at);
+    TraceOptions chosen;
+    chosen.value_column = "Channel 1";
+    check_flow(trace_of(text, chosen));
+  }
   SECTION("with a last channel that is empty") {
     std::string text = file.text();
     for (std::size_t at = 0; (at = text.find("\t1.5", at)) != std::string::npos;) text.replace(at, 4, "\t");

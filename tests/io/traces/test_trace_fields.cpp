@@ -43,6 +43,8 @@ TEST_CASE("Clocks of ventilators, spreadsheets and loggers are understood", "[fa
   CHECK(clock_time("00:10:11:403")->seconds == Approx(611.403));
   CHECK(clock_time("1:05:07.02 PM")->seconds == Approx(noon + 3907.02));
   CHECK(clock_time("1:05:07,02 p. m.")->seconds == Approx(noon + 3907.02));
+  CHECK(clock_time("午後 1:05:07.02")->seconds == Approx(noon + 3907.02));
+  CHECK(clock_time("2024/3/31 上午12:05:07")->seconds == Approx(1711843200.0 + 307));
   CHECK(clock_time("12:05:07 am")->seconds == Approx(307));
   CHECK(clock_time("12:05:07\xE2\x80\xAFPM")->seconds == Approx(noon + 307));
   CHECK(clock_time("13:05 PM")->seconds == Approx(noon + 3900));
