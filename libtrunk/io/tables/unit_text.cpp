@@ -170,7 +170,7 @@ std::string plain_name(std::string_view header) {
 
 std::optional<Unit> plain_unit(std::string_view with_conditions) {
   const std::string plain = without_conditions(std::string(with_conditions));
-  if (const auto unit = known(plain)) return unit;
+  if (auto unit = known(plain)) return unit;
   std::string_view rest = plain;
   if (rest.ends_with("_1")) rest.remove_suffix(2);  // "l s-1"
   const std::string_view below = last_word(rest);

@@ -9,7 +9,8 @@ namespace trunk {
 namespace {
 
 constexpr double grid_step_s = 0.1, most_of_median = 3;
-constexpr double longest_lag_s = 0.6, lag_step_s = 0.02, surely_signed = 0.5;
+constexpr int lag_steps = 30;  // either way
+constexpr double lag_step_s = 0.02, surely_signed = 0.5;
 constexpr double strong_part = 0.9, strong_share = 0.3;
 constexpr std::size_t fewest_steps = 20;
 
@@ -113,7 +114,8 @@ FlowAgainstVolume flow_against_volume(const Values& time_s, const Values& flow, 
   found.along = found.best = correlation(moved.over(steps, 0), rise);
   found.seen = product(rise, rise) > 0 && found.along != 0;
   if (!found.seen) return found;
-  for (double lag = -longest_lag_s; lag <= longest_lag_s + 1e-9; lag += lag_step_s) {
+  for (int step = -lag_steps; step <= lag_steps; ++step) {
+    const double lag = lag_step_s * step;
     const double now = correlation(moved.over(steps, lag), rise);
     if (std::abs(found.along) >= surely_signed && now * found.along < 0) continue;
     if (std::abs(now) > std::abs(found.best)) found.best = now, found.lag_s = lag;
