@@ -76,10 +76,11 @@ std::string change_of_unit(const std::vector<double>& time, const std::vector<do
   return "";
 }
 
-std::vector<std::string> doubts(const Trace& trace, const std::vector<double>& volume_m3, bool calibrated,
-                                double tidal_volume_m3, double period_s) {
+std::vector<std::string> doubts(const Trace& trace, const std::vector<double>& time_s,
+                                const std::vector<double>& volume_m3, bool calibrated, double tidal_volume_m3,
+                                double period_s) {
   std::vector<std::string> found{calibrated ? little_air(tidal_volume_m3, period_s) : "", beyond_lungs(trace),
-                                 change_of_unit(trace.time_s, volume_m3, period_s)};
+                                 change_of_unit(time_s, volume_m3, period_s)};
   std::erase(found, "");
   return found;
 }

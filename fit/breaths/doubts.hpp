@@ -14,10 +14,11 @@ namespace trunk {
 ///   temperature of 34 °C looks like it;
 /// * what change_of_unit finds.
 ///
-/// `volume_m3` is the volume of the trace. Its size is not judged unless it is `calibrated`. All limits are
-/// our choice.
-std::vector<std::string> doubts(const Trace& trace, const std::vector<double>& volume_m3, bool calibrated,
-                                double tidal_volume_m3, double period_s);
+/// `time_s` and `volume_m3` are those of the breaths. The size is not judged unless it is `calibrated`. All
+/// limits are our choice.
+std::vector<std::string> doubts(const Trace& trace, const std::vector<double>& time_s,
+                                const std::vector<double>& volume_m3, bool calibrated, double tidal_volume_m3,
+                                double period_s);
 
 /// Returns a sentence about a volume that is 8 times as large in one part of the recording as in the rest,
 /// before or after: its unit may have changed; or "". Its size is the range from the 5th to the 95th

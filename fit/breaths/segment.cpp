@@ -190,7 +190,7 @@ Segmentation segment_breaths(const Trace& trace, const BreathSelection& selectio
 
   check_not_abrupt(result);
   const bool known = result.calibrated && !selection.calibrate_tidal_volume_m3;
-  for (std::string& doubt : doubts(trace, result.volume_m3, known, volume, period))
+  for (std::string& doubt : doubts(trace, result.time_s, result.volume_m3, known, volume, period))
     result.notes.push_back(std::move(doubt));
 
   const auto shifts = shifts_of(marks, found.drift);
