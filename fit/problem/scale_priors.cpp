@@ -4,10 +4,11 @@ namespace trunk {
 
 std::vector<ScalePrior> scale_priors(const Parameters<double>& p, bool lung) {
   const char* judgement = "around the scenario's value (our choice)";
-  std::vector<ScalePrior> all = {{std::string(abdominal_elastance_prior), "cmH2O/L", 7.0, 1.4,
-                                  "a gastric swing of 3.7 (SD 1.1) cmH2O at 0.6 L in quiet breathing"},
-                                 {"damping", "N s/m", p.damping, 1.6, judgement},
-                                 {"abdomen_stiffness_factor", "1", p.abdomen_factor, 1.6, judgement}};
+  std::vector<ScalePrior> all = {
+      {std::string(abdominal_elastance_prior), "cmH2O/L", 7.0, 1.4,
+       "a gastric swing of 3.7 (SD 1.1) cmH2O at 0.6 L in quiet breathing"},
+      {"damping", "N s/m", 14.5, 1.6, "that of the shipped healthy trunk (our choice)"},
+      {"abdomen_stiffness_factor", "1", p.abdomen_factor, 1.6, judgement}};
   if (!lung) return all;
   all.push_back({"lung_elastance", "cmH2O/L", 5.0, 1.5,
                  "200 ml/cmH2O; the dynamic compliance of healthy men is 2.91 (SD 1.08) L/kPa"});
