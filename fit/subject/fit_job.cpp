@@ -182,9 +182,7 @@ FitOutcome FitJob::carry_out() {
     outcome.clinic = clinic_numbers(*breath, request_.clinic);
   for (FitResult& r : clinic_results(outcome.clinic)) put_measured(std::move(r), outcome.results.results);
   if (outcome.results.posterior && !gated)
-    outcome.draws =
-        posterior_draws(*outcome.results.posterior, fit_->space(), static_cast<std::size_t>(request_.draws),
-                        fit_->plan().estimation.search.seed);
+    outcome.draws = fit_->draws(e, *outcome.results.posterior, static_cast<std::size_t>(request_.draws));
   if (!gated) outcome.predictions = predictions(outcome);
   outcome.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return outcome;

@@ -16,6 +16,7 @@
 #include "subject/fixed_parameters.hpp"
 #include "trunks/read_trunk_pml.hpp"
 #include "verdict/assess_fit.hpp"
+#include "verdict/settling.hpp"
 #include "verdict/straight_activation.hpp"
 
 namespace trunk {
@@ -326,6 +327,15 @@ FitResults SubjectFit::results(const Estimation& e) const {
   return assess_fit({asked, e, measurement_.breath ? &*measurement_.breath : nullptr, screening_.gates,
                      screening_.tidal_volume_error, plan_.straight, scale_.empty() && !knowledge_.empty(),
                      straight_, searches_, scale_, driven_by_airway(file_.scenario)});
+}
+
+std::vector<Candidate> SubjectFit::draws(const Estimation& e, const Posterior& posterior,
+                                         std::size_t count) const {
+  const unsigned seed = plan_.estimation.search.seed;
+  if (scale_.empty()) return posterior_draws(posterior, *space_, count, seed);
+  const FitProblem asked = problem();
+  Settling settling(asked, e);
+  return posterior_draws(posterior, *space_, count, seed, std::ref(settling));
 }
 
 std::string SubjectFit::problem_text() const {

@@ -62,6 +62,9 @@ class SubjectFit {
   const Screening& screening() const noexcept { return screening_; }
   const SearchSpace& space() const noexcept { return *space_; }
   const Trunk& trunk() const noexcept { return trunk_; }
+  /// Returns `count` candidates as the posterior has them. The estimation is one of this fit.
+  std::vector<Candidate> draws(const Estimation& estimation, const Posterior& posterior,
+                               std::size_t count) const;
   const std::vector<ScalePrior>& scale() const noexcept { return scale_; }
   const std::vector<LocalSearch>& compartment_searches() const noexcept { return searches_; }  // best first
 

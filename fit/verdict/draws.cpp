@@ -27,7 +27,8 @@ Eigen::VectorXd moved_along(const AlongRecoil& along, const Eigen::VectorXd& bes
 }  // namespace
 
 std::vector<Candidate> posterior_draws(const Posterior& p, const SearchSpace& space, std::size_t count,
-                                       unsigned seed) {
+                                       unsigned seed,
+                                       const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& settle) {
   const auto n = static_cast<Eigen::Index>(space.size());
   const SymmetricEigen eigen = symmetric_eigen(p.covariance);
   const Eigen::MatrixXd root = eigen.vectors * eigen.values.cwiseMax(0.0).cwiseSqrt().asDiagonal();
@@ -47,6 +48,7 @@ std::vector<Candidate> posterior_draws(const Posterior& p, const SearchSpace& sp
                               TrunkAsCompartment::log_error * gsl_cdf_ugaussian_Pinv(part[n + 4]);
       x += moved_along(*p.along, p.x, log_time);
     }
+    if (settle) x = settle(x);
     if (const auto muscle = space.find("k_muscle"))
       x[static_cast<Eigen::Index>(*muscle)] += p.volume_error * gain;
     draws.push_back(space.decode(x.cwiseMax(lower).cwiseMin(upper)));

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <array>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -34,8 +34,10 @@ struct Posterior {
 /// errors of the breaths and of the compartment on top. All else then follows the refits by straight lines in
 /// the coordinates over ln tau. A tenth of their span beyond the outer refits is as far as a draw goes (our
 /// choice; an infinite recoil time ends there). The numbers are a shifted Sobol sequence (our choice: its
-/// percentiles are smoother than those of random numbers).
-std::vector<Candidate> posterior_draws(const Posterior& posterior, const SearchSpace& space,
-                                       std::size_t count, unsigned seed);
+/// percentiles are smoother than those of random numbers). `settle` gets the coordinates of each draw and
+/// gives those to take (see Settling); empty: they stay.
+std::vector<Candidate> posterior_draws(
+    const Posterior& posterior, const SearchSpace& space, std::size_t count, unsigned seed,
+    const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& settle = {});
 
 }  // namespace trunk

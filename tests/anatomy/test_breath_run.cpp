@@ -55,7 +55,7 @@ TEST_CASE("Without ribs the paralysed dome does not rise", "[regression][anatomy
 }
 
 TEST_CASE("A trunk with both hemidiaphragms paralysed does not breathe", "[unit][anatomy]") {
-  Scenario scenario = shipped("healthy");
+  Scenario scenario = without_lung("healthy");
   scenario.tissue.paralysed = Side::both;
   scenario.parameters.muscle = 30.0;
   scenario.time.duration_s = 0.1;  // nothing happens, so a short time is enough
@@ -66,7 +66,7 @@ TEST_CASE("A trunk with both hemidiaphragms paralysed does not breathe", "[unit]
 
 TEST_CASE("The curves of a breath have one entry for each step and end near their start",
           "[property][anatomy][slow]") {
-  const Scenario scenario = shipped("healthy");
+  const Scenario scenario = without_lung("healthy");
   const BreathRun run = run_breath(make_trunk(scenario), scenario, 100);
   const auto steps = static_cast<std::size_t>(scenario.time.steps());
   CHECK(run.time_s.size() == steps + 1);
@@ -86,7 +86,7 @@ TEST_CASE("The curves of a breath have one entry for each step and end near thei
 }
 
 TEST_CASE("The volume curve of a fit is that of the run", "[property][anatomy]") {
-  Scenario scenario = shipped("hemiparalysis_right");
+  Scenario scenario = without_lung("hemiparalysis_right");
   scenario.time.duration_s = 0.5;
   const Trunk trunk = make_trunk(scenario);
   const BreathRun run = run_breath(trunk, scenario, 0);
@@ -96,7 +96,7 @@ TEST_CASE("The volume curve of a fit is that of the run", "[property][anatomy]")
 }
 
 TEST_CASE("Breaths side by side are the same as alone, also beside one that fails", "[property][anatomy]") {
-  Scenario scenario = shipped("hemiparalysis_right");
+  Scenario scenario = without_lung("hemiparalysis_right");
   scenario.time.duration_s = 0.3;
   const Trunk trunk = make_trunk(scenario);
   std::vector<Trial<double>> trials(batch_lanes() + 1, {scenario.parameters, scenario.activation});
@@ -125,7 +125,7 @@ TEST_CASE("Breaths side by side are the same as alone, also beside one that fail
 }
 
 TEST_CASE("More muscle breathes more, more elasticity less", "[property][anatomy][slow]") {
-  Scenario scenario = shipped("healthy");
+  Scenario scenario = without_lung("healthy");
   scenario.time.duration_s = 2.0;
   const Trunk trunk = make_trunk(scenario);
   const auto volume = [&](double muscle, double elasticity) {
@@ -142,7 +142,7 @@ TEST_CASE("More muscle breathes more, more elasticity less", "[property][anatomy
 }
 
 TEST_CASE("A force on a region moves it, an unknown region is named", "[unit][anatomy]") {
-  Scenario scenario = shipped("healthy");
+  Scenario scenario = without_lung("healthy");
   scenario.parameters.muscle = 0.0;
   scenario.time.duration_s = 0.3;
   scenario.loads = {{RegionLoad::Kind::force,
@@ -162,7 +162,7 @@ TEST_CASE("A force on a region moves it, an unknown region is named", "[unit][an
 }
 
 TEST_CASE("A symmetric trunk moves symmetrically", "[property][anatomy][slow]") {
-  const Scenario scenario = shipped("healthy");
+  const Scenario scenario = without_lung("healthy");
   const Trunk trunk = make_trunk(scenario);
   const BreathRun run = run_breath(trunk, scenario, 0);
   const auto& rest = trunk.model.rest;

@@ -70,7 +70,7 @@ RigidPart part(const std::string& region, RigidBody::Motion motion, const std::s
 }  // namespace
 
 TEST_CASE("The rib cage is one fixed body of costal insertion, wall and top of the lung", "[unit][anatomy]") {
-  const Trunk trunk = make_trunk(shipped("healthy"));
+  const Trunk trunk = make_trunk(without_lung("healthy"));
   REQUIRE(trunk.model.bodies.size() == 1);
   const RigidBody& ribs = trunk.model.bodies[0];
   CHECK(ribs.name == "rib_cage");
@@ -84,7 +84,7 @@ TEST_CASE("The rib cage is one fixed body of costal insertion, wall and top of t
 }
 
 TEST_CASE("Without ribs there is no body and no surface", "[unit][anatomy]") {
-  Scenario scenario = shipped("healthy");
+  Scenario scenario = without_lung("healthy");
   scenario.tissue.ribs = false;
   const Trunk trunk = make_trunk(scenario);
   CHECK(trunk.model.bodies.empty());
@@ -92,7 +92,7 @@ TEST_CASE("Without ribs there is no body and no surface", "[unit][anatomy]") {
 }
 
 TEST_CASE("A rigid part takes its particles and its surface from the rib cage", "[unit][anatomy]") {
-  Scenario scenario = shipped("healthy");
+  Scenario scenario = without_lung("healthy");
   scenario.rigid = {swinging_half(scenario, "right", 3.0)};
   const Trunk trunk = make_trunk(scenario);
   REQUIRE(trunk.model.bodies.size() == 2);
@@ -115,7 +115,7 @@ TEST_CASE("A rigid part takes its particles and its surface from the rib cage", 
 
 TEST_CASE("If both halves of the rib cage swing outward, volume and ribs hold and the breath is deeper",
           "[property][anatomy][slow]") {
-  Scenario scenario = shipped("healthy");
+  Scenario scenario = without_lung("healthy");
   const double without = run_breath(make_trunk(scenario), scenario, 0).measures.delta_v;
   scenario.rigid = {swinging_half(scenario, "right", 3.0), swinging_half(scenario, "left", 3.0)};
   const Trunk trunk = make_trunk(scenario);
@@ -152,7 +152,7 @@ TEST_CASE("If both halves of the rib cage swing outward, volume and ribs hold an
 
 TEST_CASE("Halves that swing inward make the breath shallower and come back to their place",
           "[property][anatomy][slow]") {
-  Scenario scenario = shipped("healthy");
+  Scenario scenario = without_lung("healthy");
   const double without = run_breath(make_trunk(scenario), scenario, 0).measures.delta_v;
   scenario.rigid = {swinging_half(scenario, "right", -2.0), swinging_half(scenario, "left", -2.0)};
   const Trunk trunk = make_trunk(scenario);
@@ -167,7 +167,7 @@ TEST_CASE("Halves that swing inward make the breath shallower and come back to t
 }
 
 TEST_CASE("A free tendon without ribs moves as one piece, and the volume holds", "[property][anatomy]") {
-  Scenario scenario = shipped("published_healthy");
+  Scenario scenario = without_lung("published_healthy");
   scenario.reaction = Reaction::variational;
   scenario.time.duration_s = 2.5;
   scenario.rigid = {part("central_tendon", RigidBody::Motion::free)};
@@ -193,7 +193,7 @@ TEST_CASE("A free tendon without ribs moves as one piece, and the volume holds",
 
 TEST_CASE("Impossible rigid parts are refused with their place", "[unit][anatomy]") {
   using enum RigidBody::Motion;
-  const Scenario healthy = shipped("healthy");
+  const Scenario healthy = without_lung("healthy");
   const auto refused = [&](std::vector<RigidPart> parts, const std::string& what,
                            std::vector<RegionLoad> loads = {}) {
     const std::string message = message_about(healthy, std::move(parts), std::move(loads));

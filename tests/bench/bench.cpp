@@ -48,7 +48,7 @@ Subject subject(const std::string& name, int resolution = 1) {
 
 /// The same trunk with a lung and an airway, or without; everything else is the same.
 Subject breathing_air(bool with_lung) {
-  Scenario s = read_scenario("scenarios/healthy.toml").scenario;
+  Scenario s = read_scenario("scenarios/healthy_no_lung.toml").scenario;
   s.lung_acts = with_lung;
   s.parameters.lung_elastance = 5.0 * Pa_per_cmH2O / m3_per_litre;
   s.parameters.resistance = 2.5 * Pa_per_cmH2O / m3_per_litre;
@@ -150,7 +150,7 @@ Case fit(const Subject& s, const TimeGrid& grid) {
 /// 200 steps at rest and a little later, of a mesh that fine; the time step goes down with its particles'
 /// mass.
 Case steps_of_mesh(int resolution) {
-  const Subject s = subject("healthy", resolution);
+  const Subject s = subject("healthy_no_lung", resolution);
   const double stable_s = stable_time_step(s.trunk.model, s.scenario.parameters);
   const double dt_s = std::min(1e-3, 0.5 * stable_s);
   const TimeGrid grid{dt_s, 200 * dt_s};
@@ -212,9 +212,9 @@ Case made(const std::string& name) {
   if (what == "fit") return fit(about(), about().scenario.time);
   if (what == "auto_fit") return fit(about(), chosen_step(about(), stiffer_in_searches).grid);
   if (what == "mesh") return steps_of_mesh(std::stoi(which));
-  if (what == "one") return one_in(kernel_named(which), subject("healthy"));
-  if (what == "lanes") return lanes_in(kernel_named(which), subject("healthy"));
-  if (what == "derivatives") return derivatives_in(kernel_named(which), subject("healthy"));
+  if (what == "one") return one_in(kernel_named(which), subject("healthy_no_lung"));
+  if (what == "lanes") return lanes_in(kernel_named(which), subject("healthy_no_lung"));
+  if (what == "derivatives") return derivatives_in(kernel_named(which), subject("healthy_no_lung"));
   throw InputError(
       {}, "there is no case '" + name + "'",
       "air, no_air, breath, auto_breath, accuracy, batch, auto_batch, fit or auto_fit [SCENARIO], "

@@ -139,6 +139,18 @@ class Prediction(TrunkTest):
                 self.assertAlmostEqual(math.log(high / low), told, delta=0.1 * told)
                 self.assertAlmostEqual(math.log(low / results[name]["lower95"]), 0, delta=0.1 * told)
 
+    def test_draws_keep_the_volume_where_priors_alone_know_the_scale_of_forces(self):
+        fit = self.succeeds("fit", HEALTHY, "--trace", ROOT / "reference/constructed_trace.csv", "-o", "f.h5", codes=FITTED)
+        with h5py.File(self.folder / "f.h5") as file:
+            names = [name.decode() for name in file["draws/parameter"]]
+            elasticity = sorted(file["draws/value"][:, names.index("k_elasticity")])
+        self.assertGreater(elasticity[-2] / elasticity[1], 4)
+        run = self.succeeds("simulate", HEALTHY, "-o", "r.h5", "--from", "f.h5", "--no-structural")
+        told = fit["results"]["excursion_right_mm"]
+        spread = (told["upper95"] - told["lower95"]) / told["value"]
+        for end in ("lower95", "upper95"):
+            self.assertAlmostEqual(run[f"delta_v_ml_{end}"] / run["delta_v_ml"], 1, delta=0.6 * spread)
+
     def test_what_is_set_has_no_spread(self):
         self.predicted(*ONE, "--draws", "16")
         run = self.succeeds("simulate", PARALYSED, "-o", "r.h5", "--from", "f.h5", "--set", "time.dt_ms=3", "--no-structural",

@@ -59,7 +59,7 @@ std::vector<double> bits_of_breath(const Scenario& scenario) {
 }  // namespace
 
 TEST_CASE("The abdominal volume is held at every step of the published breath", "[property][dynamics]") {
-  const Watched seen = watch(shipped("published_healthy"));
+  const Watched seen = watch(without_lung("published_healthy"));
   CHECK(seen.ending.completed());
   CHECK(seen.volume_error < 1e-13);
   WARN("published, no ribs: largest relative volume error " << seen.volume_error);
@@ -84,7 +84,7 @@ TEST_CASE("With ribs the volume is held and no support is crossed at any step",
 
 TEST_CASE("An abdominal volume that changes in time is followed", "[property][dynamics][slow]") {
   for (const char* name : {"healthy", "published_healthy"}) {
-    Scenario scenario = shipped(name);
+    Scenario scenario = without_lung(name);
     scenario.abdominal_volume = PiecewiseLinear({{0.0, 1.0}, {1.0, 1.02}, {2.0, 0.98}}, 1.0);
     scenario.time.duration_s = 2.5;
     const Watched seen = watch(scenario);
@@ -97,7 +97,7 @@ TEST_CASE("An abdominal volume that changes in time is followed", "[property][dy
 }
 
 TEST_CASE("A simulation repeated gives the same bits", "[property][dynamics]") {
-  Scenario scenario = shipped("hemiparalysis_right");
+  Scenario scenario = without_lung("hemiparalysis_right");
   scenario.time.duration_s = 0.5;
   const auto first = bits_of_breath(scenario), second = bits_of_breath(scenario);
   REQUIRE(first.size() > 100000);
@@ -131,7 +131,7 @@ TEST_CASE("A step allocates nothing", "[property][dynamics]") {
 TEST_CASE("At rest without activation nothing moves", "[property][dynamics][slow]") {
   // Every support touches without force: round-off decides which, and the search has to end all the same.
   for (const char* name : {"healthy", "published_healthy"}) {
-    Scenario scenario = shipped(name);
+    Scenario scenario = without_lung(name);
     scenario.parameters.muscle = 0.0;
     const Trunk trunk = make_trunk(scenario);
     const BreathRun run = run_breath(trunk, scenario, 0);
@@ -144,7 +144,7 @@ TEST_CASE("At rest without activation nothing moves", "[property][dynamics][slow
 TEST_CASE("A breath may begin after a pause", "[property][dynamics][slow]") {
   for (const char* name : {"healthy", "hemiparalysis_left", "published_healthy"})
     for (const double onset_s : {0.25, 1.0, 2.0}) {
-      Scenario scenario = shipped(name);
+      Scenario scenario = without_lung(name);
       scenario.activation.onset_s = onset_s;
       scenario.time.duration_s = onset_s + 0.5;
       const Watched seen = watch(scenario);
@@ -155,7 +155,7 @@ TEST_CASE("A breath may begin after a pause", "[property][dynamics][slow]") {
 }
 
 TEST_CASE("Several breaths with pauses complete", "[property][dynamics][slow]") {
-  Scenario scenario = shipped("healthy");
+  Scenario scenario = without_lung("healthy");
   scenario.activation = {0.0, 0.4, 0.1, 0.4, 0.4, 2.0};
   scenario.time.duration_s = 6.0;
   const Watched seen = watch(scenario);

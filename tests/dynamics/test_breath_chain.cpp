@@ -15,7 +15,7 @@ namespace {
 constexpr double usual_period_s = 2.0, early_s = -0.15, margin_s = 0.3;
 
 Scenario quick_breathing() {
-  Scenario s = shipped("healthy");
+  Scenario s = without_lung("healthy");
   s.parameters.elasticity = 1600.0;  // a recoil time of 0.3 s
   s.parameters.muscle = 11.0;
   s.activation = {.onset_s = early_s, .rise_s = 0.7, .fast_fall_s = 0.3, .slow_fall_s = 1.2};
@@ -156,7 +156,7 @@ TEST_CASE("An attempt does not change the chain", "[property][dynamics]") {
 }
 
 TEST_CASE("A chain refuses what belongs to single breaths", "[unit][dynamics]") {
-  const Scenario swinging = shipped("bucket_handle");
+  const Scenario swinging = without_lung("bucket_handle");
   CHECK_THROWS_WITH(BreathChain(make_trunk(swinging).model, 1e-3, Damping::implicit),
                     Contains("course of one breath"));
 }

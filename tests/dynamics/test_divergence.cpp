@@ -49,7 +49,7 @@ TEST_CASE("A run that blows up is reported, and no NaN is observed before", "[pr
   };
   for (const char* name : {"healthy", "published_healthy"})
     for (const Absurd& absurd : cases) {
-      Scenario scenario = shipped(name);
+      Scenario scenario = without_lung(name);
       absurd.make(scenario);
       const Outcome outcome = outcome_of(scenario);
       INFO(name << ", " << absurd.what << ": " << outcome.ending.message);
@@ -67,7 +67,7 @@ TEST_CASE("An ending that was never set is no success", "[unit][dynamics]") {
 }
 
 TEST_CASE("A particle that leaves the trunk ends the run as diverged", "[unit][dynamics]") {
-  Scenario scenario = shipped("healthy");
+  Scenario scenario = without_lung("healthy");
   scenario.parameters.damping = 0.0;
   const Trunk trunk = make_trunk(scenario);
   Model model = trunk.model;

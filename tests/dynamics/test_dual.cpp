@@ -61,7 +61,7 @@ TEST_CASE("The derivatives of a whole breath agree with central differences", "[
   // length of the breath; observed: below 2e-6. The activation's corners must lie between two steps: at a
   // corner the derivative is that of one side, the difference the mean of both.
   for (const char* name : {"healthy", "hemiparalysis_right", "published_healthy"}) {
-    Scenario scenario = shipped(name);
+    Scenario scenario = without_lung(name);
     scenario.activation.onset_s = 0.0005;
     scenario.activation.rise_s = 1.9993;
     const Trunk trunk = make_trunk(scenario);
@@ -91,7 +91,7 @@ TEST_CASE("The derivatives of a whole breath agree with central differences", "[
 }
 
 TEST_CASE("Derivatives pass through the breaths before", "[property][dynamics][slow]") {
-  Scenario scenario = shipped("hemiparalysis_right");
+  Scenario scenario = without_lung("hemiparalysis_right");
   scenario.time = {2e-3, 2.0, Damping::implicit, Start::periodic};
   scenario.activation.onset_s = -0.2005;  // so that every breath cuts the activation of the one before
   scenario.activation.rise_s = 0.7993;

@@ -99,7 +99,7 @@ std::vector<Trial<double>> four_trials(const Scenario& scenario) {
 
 TEST_CASE("Every lane has the bits of its trial alone", "[property][dynamics][long]") {
   for (const char* name : {"healthy", "published_healthy", "hemiparalysis_right"}) {
-    Scenario scenario = shipped(name);
+    Scenario scenario = without_lung(name);
     scenario.activation.rise_s = 0.15;  // so that much moves, and supports come and go, in few steps
     INFO(name);
     check_lanes(make_trunk(scenario).model, four_trials(scenario), {1e-3, 0.4});
@@ -113,7 +113,7 @@ TEST_CASE("Every lane has the bits of its trial alone", "[property][dynamics][lo
 TEST_CASE("Lanes that begin at different times have the bits of their trials alone",
           "[property][dynamics][long]") {
   for (const char* name : {"healthy", "hemiparalysis_right", "bucket_handle"}) {
-    Scenario scenario = shipped(name);
+    Scenario scenario = without_lung(name);
     scenario.time = {2e-3, 0.4, Damping::implicit, Start::periodic};
     for (RigidPart& part : scenario.rigid)
       part.imposed.angle = PiecewiseLinear({{0.0, 0.0}, {0.2, 0.01}, {0.4, 0.0}});
@@ -134,7 +134,7 @@ TEST_CASE("Lanes that begin at different times have the bits of their trials alo
 }
 
 TEST_CASE("Lanes that fail do not disturb their neighbours", "[property][dynamics]") {
-  const Scenario scenario = shipped("healthy");
+  const Scenario scenario = without_lung("healthy");
   auto trials = four_trials(scenario);
   trials[1].parameters.elasticity = 1e6;       // diverges
   trials[2].parameters.muscle = std::nan("");  // fails at once
@@ -207,7 +207,7 @@ TEST_CASE("The search for contacts of each lane ends by itself, with the same bi
 }
 
 TEST_CASE("When all lanes have failed the simulation stops", "[unit][dynamics]") {
-  const Scenario scenario = shipped("healthy");
+  const Scenario scenario = without_lung("healthy");
   std::vector<Trial<double>> trials(4, {scenario.parameters, scenario.activation});
   for (std::size_t i = 0; i < 4; ++i)
     trials[i].parameters.elasticity = std::pow(10.0, 6.0 + static_cast<double>(i));
@@ -238,7 +238,7 @@ TEST_CASE("A step of lanes allocates nothing", "[property][dynamics]") {
 }
 
 TEST_CASE("A batch of any size gives the curves of its trials", "[property][anatomy]") {
-  const Scenario scenario = shipped("hemiparalysis_right");
+  const Scenario scenario = without_lung("hemiparalysis_right");
   const Trunk trunk = make_trunk(scenario);
   const TimeGrid grid{1e-3, 0.1};
   std::vector<Trial<double>> trials;

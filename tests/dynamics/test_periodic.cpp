@@ -11,7 +11,7 @@ namespace {
 
 /// A shipped scenario whose breaths repeat every period_s, with the recoil time tau_s.
 Scenario breathing(const std::string& name, double period_s, double tau_s = 0.121) {
-  Scenario s = shipped(name);
+  Scenario s = without_lung(name);
   s.time.start = Start::periodic;
   s.time.duration_s = period_s;
   const double ratio = s.parameters.muscle / s.parameters.elasticity;
@@ -148,8 +148,8 @@ TEST_CASE("A breath ends where it began, and its volume above relaxation is posi
 
 TEST_CASE("Breathing that repeats is that of one compartment with the measured recoil",
           "[property][dynamics][slow]") {
-  const Model model = make_trunk(shipped("healthy")).model;
-  const Parameters<double> usual = shipped("healthy").parameters;
+  const Model model = make_trunk(without_lung("healthy")).model;
+  const Parameters<double> usual = without_lung("healthy").parameters;
   const Recoil recoil = measure_recoil(model, usual);
   CHECK(recoil.time_factor == Approx(25.1).margin(0.3));
   CHECK(recoil.gain == Approx(72.5e-3).epsilon(0.01));
@@ -171,7 +171,7 @@ TEST_CASE("Breathing that repeats is that of one compartment with the measured r
 }
 
 TEST_CASE("The recoil does not depend on parameters, mass or step", "[property][dynamics][slow]") {
-  const Scenario s = shipped("healthy");
+  const Scenario s = without_lung("healthy");
   const Model model = make_trunk(s).model;
   const Recoil usual = measure_recoil(model, s.parameters);
   const auto check = [&](const Model& m, const Parameters<double>& p) {

@@ -156,7 +156,7 @@ TEST_CASE("An elastic body with a rigid part keeps its momentum and its angular 
 
 TEST_CASE("A free body in a held volume keeps its shape, and the volume is held, to round-off",
           "[property][dynamics]") {
-  Scenario scenario = shipped("healthy");
+  Scenario scenario = without_lung("healthy");
   scenario.time.duration_s = 2.5;
   scenario.rigid = {{"central_tendon", RigidBody::Motion::free, {}, "", {"here"}}};
   const Trunk trunk = make_trunk(scenario);

@@ -57,7 +57,7 @@ Ending run_at(const Model& model, const Parameters<double>& parameters, double d
 TEST_CASE("Volume and pressure converge with the time step, with order about 1",
           "[property][dynamics][slow]") {
   for (const char* name : {"healthy", "published_healthy"}) {
-    Scenario scenario = shipped(name);
+    Scenario scenario = without_lung(name);
     scenario.time.duration_s = 3.2;  // past the peak and the fast fall
     const Curves c[] = {curves_with(scenario, 2e-3), curves_with(scenario, 1e-3), curves_with(scenario, 5e-4),
                         curves_with(scenario, 2.5e-4)};
@@ -87,7 +87,7 @@ TEST_CASE("Volume and pressure converge with the time step, with order about 1",
 TEST_CASE("A run completes just below the stability bound and fails above it", "[property][dynamics][slow]") {
   for (const char* name : {"healthy", "published_healthy", "hemiparalysis_right"})
     for (const double damping : {0.5, 20.0, 200.0}) {
-      const Scenario scenario = shipped(name);
+      const Scenario scenario = without_lung(name);
       if (damping < 1.0 && scenario.reaction == Reaction::published)
         continue;  // it flutters at any time step
       Parameters<double> parameters = scenario.parameters;
@@ -114,7 +114,7 @@ TEST_CASE("The chosen time step is stable and its volume is within 0.1 % of that
                                    {"hemiparalysis_right", 5e-3},
                                    {"exercise_healthy", 4e-3},
                                    {"published_healthy", 5e-3}}) {
-    const Scenario s = shipped(expected.name);
+    const Scenario s = without_lung(expected.name);
     const Trunk trunk = make_trunk(s);
     const TimeStepChoice choice = auto_time_step(trunk.model, s.parameters, s.activation, s.time);
     CAPTURE(expected.name, choice.grid.dt_s, choice.stable_s, choice.estimated_error);
@@ -141,12 +141,12 @@ TEST_CASE("The chosen time step is stable and its volume is within 0.1 % of that
 }
 
 TEST_CASE("Stiffer and finer models, and faster breaths, get shorter steps", "[property][dynamics][long]") {
-  Scenario stiff = shipped("healthy");
+  Scenario stiff = without_lung("healthy");
   stiff.parameters.elasticity *= 100.0;  // stable below 0.6 ms
   stiff.parameters.muscle *= 100.0;
-  Scenario fine = shipped("healthy");
+  Scenario fine = without_lung("healthy");
   fine.geometry.resolution = 4;
-  Scenario sudden = shipped("healthy");
+  Scenario sudden = without_lung("healthy");
   sudden.parameters.damping = 2.0;
   sudden.activation.rise_s = 0.05;
   sudden.activation.fast_fall_s = 0.02;
@@ -174,7 +174,7 @@ TEST_CASE("Stiffer and finer models, and faster breaths, get shorter steps", "[p
 }
 
 TEST_CASE("A model without stiffness gets a time step, although nothing bounds it", "[unit][dynamics]") {
-  Scenario loose = shipped("published_healthy");
+  Scenario loose = without_lung("published_healthy");
   loose.parameters.elasticity = loose.parameters.muscle = 0.0;
   const Trunk trunk = make_trunk(loose);
   const TimeStepChoice choice =
@@ -184,7 +184,7 @@ TEST_CASE("A model without stiffness gets a time step, although nothing bounds i
 }
 
 TEST_CASE("The error is infinite if no step is good enough", "[unit][dynamics]") {
-  const Scenario s = shipped("healthy");
+  const Scenario s = without_lung("healthy");
   const Model model = make_trunk(s).model;
   Parameters<double> repelled = s.parameters;
   repelled.elasticity *= -1.0;  // particles are pushed away from their rest shape
@@ -194,7 +194,7 @@ TEST_CASE("The error is infinite if no step is good enough", "[unit][dynamics]")
 TEST_CASE("Without contact, centred damping leaves less than a tenth of the error",
           "[property][dynamics][slow]") {
   const auto error_at_4_ms = [](Damping damping) {
-    Scenario scenario = shipped("published_healthy");
+    Scenario scenario = without_lung("published_healthy");
     scenario.time.damping = damping;
     return rms(curves_with(scenario, 4e-3).delta_v, curves_with(scenario, 1e-3).delta_v);
   };

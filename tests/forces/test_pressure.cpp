@@ -92,7 +92,7 @@ TEST_CASE("A pressure follows the surface as it turns", "[property][forces]") {
 
 TEST_CASE("A pressure on the abdominal wall pushes the diaphragm up and leaves air in the lung",
           "[property][forces]") {
-  Scenario scenario = shipped("healthy");
+  Scenario scenario = without_lung("healthy");
   scenario.parameters.muscle = 0.0;
   scenario.time.duration_s = 1.0;
   RegionLoad load;

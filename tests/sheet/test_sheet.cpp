@@ -242,7 +242,7 @@ TEST_CASE("A sheet's damping goes by area and its muscle by width, on any mesh",
 
 TEST_CASE("A sheet needs no shorter steps than rings", "[unit][sheet]") {
   for (const char* name : {"healthy", "craighero"}) {
-    const Scenario ring = shipped(name), sheet = on_sheet(ring);
+    const Scenario ring = without_lung(name), sheet = on_sheet(ring);
     const double before = stable_time_step(make_trunk(ring).model, ring.parameters, Damping::implicit),
                  now = stable_time_step(make_trunk(sheet).model, sheet.parameters, Damping::implicit);
     CAPTURE(name, before, now);
@@ -251,7 +251,7 @@ TEST_CASE("A sheet needs no shorter steps than rings", "[unit][sheet]") {
 }
 
 TEST_CASE("A sheet finds the stiffness of held particles by itself", "[unit][sheet]") {
-  Scenario given = on_sheet(shipped("healthy"));
+  Scenario given = on_sheet(without_lung("healthy"));
   const auto usual = make_trunk(given).model.shape_memory.stiffness_weight;
   given.tissue.held_stiffness = 3.0;
   CHECK(make_trunk(given).model.shape_memory.stiffness_weight == usual);

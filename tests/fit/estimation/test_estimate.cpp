@@ -39,7 +39,7 @@ Estimation fitted(const Trunk& trunk, const Scenario& s, const SearchSpace& spac
 }
 
 Scenario healthy_scenario() {
-  return test::shipped("healthy");
+  return test::without_lung("healthy");
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace {
 
 /// The beginning of a healthy breath in long steps, simulated once for all tests, with frames every 40 ms.
 struct ShortRun {
-  ScenarioFile file = read_scenario(test::scenario_folder() / "healthy.toml");
+  ScenarioFile file = read_scenario(test::scenario_folder() / "healthy_no_lung.toml");
   Trunk trunk;
   BreathRun run;
 

@@ -15,7 +15,7 @@ namespace {
 
 /// A breath of 0.8 s.
 Scenario short_breath(const std::string& name) {
-  Scenario s = test::shipped(name);
+  Scenario s = test::without_lung(name);
   s.activation.rise_s = 0.4;
   s.activation.fast_fall_s = 0.1;
   s.activation.slow_fall_s = 0.3;
@@ -143,7 +143,7 @@ TEST_CASE("Choices that a scenario does not have are left out and named", "[stru
 
 TEST_CASE("A range goes around the scenario's own value, and of two meshes one is the scenario's",
           "[structure]") {
-  Scenario s = test::shipped("healthy");
+  Scenario s = test::without_lung("healthy");
   s.parameters.abdomen_factor = 0.5;
   const Structure::Choice wall = declared_range(declared("abdominal_wall"), s);
   CHECK(wall.low == Approx(0.5 / 1.6));
@@ -174,7 +174,7 @@ TEST_CASE("A trunk that cannot be made leaves the interval open and is named", "
 
 TEST_CASE("Effects of one and two choices come to the interval of choices that all vary at once",
           "[structure][nightly]") {
-  const Scenario own = test::shipped("healthy"), other = test::shipped("hemiparalysis_right");
+  const Scenario own = test::without_lung("healthy"), other = test::without_lung("hemiparalysis_right");
   std::vector<Choice> choices;
   for (const Choice& c : declared_choices())
     if (!c.is_one_of_two()) choices.push_back(c);

@@ -28,7 +28,7 @@ struct TwinFamily {
 
 /// The default trunk, with a muscle that pulls in straight lines.
 struct Twin {
-  Scenario scenario = test::shipped("healthy");
+  Scenario scenario = test::without_lung("healthy");
   Trunk trunk;
 
   Twin() {
@@ -92,7 +92,7 @@ struct TwinsCovered {
 void fit_twin(const Twin& twin, const TwinFamily& family, std::uint64_t seed, TwinsCovered& covered) {
   const Segmentation segmentation = segment_breaths(recorded(twin, family, seed));
   ScenarioFile file;
-  file.scenario = test::shipped("healthy");
+  file.scenario = test::without_lung("healthy");
   file.scenario.automatic_step = true;
   FitPlan plan;
   plan.straight = true;

@@ -150,22 +150,25 @@ TEST_CASE("Every shipped scenario loads, builds and is stable", "[unit][io]") {
 TEST_CASE("The scenario healthy.toml is converted to SI units", "[unit][io]") {
   const Scenario s = shipped("healthy");
   CHECK(s.geometry.half_width == Approx(0.160));
-  CHECK(s.geometry.end_expiratory_volume == Approx(4760e-6));
-  CHECK(s.parameters.elasticity == 4000.0);
+  CHECK(s.geometry.end_expiratory_volume == Approx(4718.6e-6));
+  CHECK(s.parameters.elasticity == 1930.0);
   CHECK(s.time.dt_s == Approx(1e-3));
   CHECK(s.frame_every_s == Approx(0.01));
   CHECK(s.activation.fast_fall_level == 0.4);
   CHECK(s.tissue.ribs);
+  CHECK(s.lung_acts);
+  CHECK(s.parameters.lung_elastance == Approx(5.0 * 98.0665e3));
+  CHECK(s.parameters.resistance == Approx(2.75 * 98.0665e3));
 }
 
 TEST_CASE("A scenario that extends another one inherits all values that it does not set", "[unit][io]") {
   const ScenarioFile file = read_scenario(scenario_folder() / "exercise_hemiparalysis_right.toml");
   CHECK(file.inputs.size() == 3);
   CHECK(file.scenario.tissue.paralysed == Side::right);              // its own
-  CHECK(file.scenario.activation.rise_s == 1.2);                     // its parent's
+  CHECK(file.scenario.activation.rise_s == 1.1);                     // its parent's
   CHECK(file.scenario.geometry.apposition_length == Approx(0.149));  // its grandparent's
   CHECK_THAT(file.where("paralysis.side").text(), Contains("exercise_hemiparalysis_right.toml:7"));
-  CHECK_THAT(file.where("geometry.half_width_mm").text(), Contains("healthy.toml:8"));
+  CHECK_THAT(file.where("geometry.half_width_mm").text(), Contains("healthy.toml:10"));
   CHECK(file.where("activation.onset_s") == Place{file.path});  // nobody set it
 }
 

@@ -130,7 +130,7 @@ TEST_CASE("A trunk from PML moves like the trunk that was written", "[property][
   Random random(102);
   for (int i = 0; i < 4; ++i) {
     CAPTURE(i);
-    Scenario s = shipped("healthy");
+    Scenario s = without_lung("healthy");
     s.geometry.resolution = 1 + i % 2;
     if (i > 1) s.geometry = random_geometry(random, 1 + i % 2);
     if (s.geometry.resolution == 2) s.time.dt_s = 2e-4;
@@ -144,7 +144,7 @@ TEST_CASE("A trunk from PML moves like the trunk that was written", "[property][
 }
 
 TEST_CASE("A trunk in PML keeps its rigid parts, except driven ones", "[unit][io]") {
-  Scenario s = shipped("healthy");
+  Scenario s = without_lung("healthy");
   s.rigid = {{"rib_cage_right", RigidBody::Motion::fixed, {}, "zone_of_apposition_right", {"a"}},
              {"central_tendon", RigidBody::Motion::free, {}, "", {"b"}},
              {"rib_cage_left", RigidBody::Motion::driven, {}, "zone_of_apposition_left", {"c"}}};
@@ -166,7 +166,7 @@ TEST_CASE("A trunk in PML keeps its rigid parts, except driven ones", "[unit][io
 
 TEST_CASE("The trunk of a paralysed subject is written healthy; the scenario keeps the paralysis",
           "[unit][io]") {
-  const Scenario s = shipped("hemiparalysis_right");
+  const Scenario s = without_lung("hemiparalysis_right");
   Scenario healthy = s;
   healthy.tissue.paralysed = Side::none;
   const std::string text = trunk_pml(s);
