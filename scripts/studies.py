@@ -36,6 +36,8 @@ class Program:
             return json.loads(done.stdout), "completed"
         if done.returncode == 3:
             return None, "diverged or not converged"
+        if "cannot repeat" in done.stderr:
+            return None, "breathing cannot repeat"
         if "step" in done.stderr:
             return None, "time step unstable"
         sys.exit(f"{' '.join(map(str, done.args))}: exit {done.returncode}: {done.stderr.strip()}")

@@ -32,7 +32,7 @@ RESOLUTIONS, FINEST = (1, 2, 3, 4), 6
 STEP_MS = {1: 1.0, 2: 1.0, 3: 0.5, 4: 0.3, 6: 0.15}  # below the bound of stability; half of it changes little
 K_ELASTICITY, K_MUSCLE = "parameters.k_elasticity_N_per_m", "parameters.k_muscle_N_per_m"
 MEMBRANE = "tissue.membrane_stiffness_N_per_m"
-DEFAULT = {K_ELASTICITY: 4000.0, K_MUSCLE: 27.2226, MEMBRANE: 0.0}  # those of scenarios/healthy.toml
+DEFAULT = {K_ELASTICITY: 4000.0, K_MUSCLE: 27.2226, MEMBRANE: 0.0}  # those of scenarios/healthy_no_lung.toml
 HALF_AXES = {"geometry.half_width_mm": 160.0, "geometry.half_depth_mm": 105.0}
 EXPONENTS = (0, 1, 1.5)  # beside the program's own 2
 POWER = {0: "1", 1: "n", 1.5: "n^1.5", 2: "n²"}
@@ -42,8 +42,11 @@ WITHOUT = {"no ribs": {"tissue.ribs": "false"},
            "abdominal wall 0.05": {"parameters.abdomen_stiffness_factor": 0.05},
            "tendon as soft as muscle": {"tissue.tendon_stiffness_factor": 1}}
 TWICE = {"tissue.held_stiffness_factor": 2}
-HEALTHY, PARALYSED = "healthy.toml", "hemiparalysis_right.toml"
-EXERCISE, EXERCISE_PARALYSED = "exercise_healthy.toml", "exercise_hemiparalysis_right.toml"
+TRUNK = "healthy_no_lung.toml"  # the mesh is one of tissue; a lung has no triangles of its own
+PARALYSIS = {"paralysis.side": "right", "paralysis.stiffness_factor": 0.5}
+DEEP = {"activation.rise_s": 1.2, "activation.fast_fall_s": 0.3, "activation.slow_fall_s": 1.2, "time.duration_s": 2.7}
+BREATHS = {"healthy": {}, "paralysed": PARALYSIS, "exercise": DEEP, "exercise, paralysed": DEEP | PARALYSIS}
+HEALTHY, PARALYSED, EXERCISE, EXERCISE_PARALYSED = BREATHS
 TIDAL_ML, EXERCISE_ML, CLOSE = 466, 1200, 1e-4
 BOUNDS = (("delta_l_mm", 9.13, 0.30), ("delta_h_mm", 2.00, 0.75), ("delta_r_mm", 0.0, 0.50))  # Table 1: value, margin
 MEASURES = {"particles": "particles", "delta_v_ml": "delta_v_ml", "delta_l_mm": "delta_l_mm",
@@ -61,9 +64,10 @@ class Refinement:
         self.program, self.coarser_step = program, coarser_step
 
     def run(self, question, change, n, settings=None, scenario=HEALTHY, step=1.0):
-        """Returns the row of one run. `scenario` is a file of scenarios/ or a path."""
+        """Returns the row of one run. `scenario` is one of BREATHS or a path."""
         settings = {"geometry.resolution": n, "time.dt_ms": self.coarser_step * step * STEP_MS[n]} | (settings or {})
-        run, status = self.program("simulate", ROOT / "scenarios" / scenario, *options(settings))
+        file = ROOT / "scenarios" / TRUNK if scenario in BREATHS else scenario
+        run, status = self.program("simulate", file, *options(BREATHS.get(scenario, {}) | settings))
         known = DEFAULT | settings
         return {"question": question, "change": change, "resolution": n, "scenario": pathlib.Path(scenario).name,
                 "dt_ms": settings["time.dt_ms"], "k_elasticity_N_per_m": known[K_ELASTICITY],

@@ -29,7 +29,7 @@ STEP_MS = {1: 1.0, 2: 0.6, 3: 0.4, 4: 0.25}  # below what is stable on all meshe
 PATTERNS = ("template", "other diagonals", "one way", "by turns", "slid rows")
 SUBJECT = "craighero"
 K_ELASTICITY, K_MUSCLE = "parameters.k_elasticity_N_per_m", "parameters.k_muscle_N_per_m"
-K_ELASTICITY_N_PER_M, K_MUSCLE_N_PER_M = 4000.0, 27.2207  # those of scenarios/healthy.toml, for all meshes
+K_ELASTICITY_N_PER_M, K_MUSCLE_N_PER_M = 4000.0, 27.2207  # those of scenarios/healthy_no_lung.toml, for all meshes
 HELD = {"activation.rise_s": 1.5, "activation.fast_fall_level": 1, "activation.fast_fall_s": 3, "time.duration_s": 3}
 TIDAL_ML, CLOSE = 466, 1e-4
 MEASURES = {"particles": "particles", "delta_v_ml": "delta_v_ml", "delta_l_mm": "delta_l_mm",
@@ -135,10 +135,12 @@ class Meshes:
 
     def make(self, mesh, n):
         if mesh == SUBJECT and n == 1:
-            scenario = ROOT / "scenarios" / "craighero.toml"
+            scenario = self.folder / "subject1.toml"
+            scenario.write_text(f'schema = "trunk.scenario/1"\nextends = "{ROOT}/scenarios/healthy_no_lung.toml"\n'
+                                f'[geometry]\npml = "{ROOT}/scenarios/craighero.pml"\n', encoding="utf-8")
         elif mesh == SUBJECT:
             scenario = self.folder / f"subject{n}.toml"
-            self.trunk("register", "--surface", self.surface, "--axes", "LSA", "--surface-unit", "mm",
+            self.trunk("register", ROOT / "scenarios" / "healthy_no_lung.toml", "--surface", self.surface, "--axes", "LSA", "--surface-unit", "mm",
                        "--resolution", n, "-o", scenario.with_suffix(".pml"))
         else:
             scenario = self.triangulation(mesh, n)
@@ -147,14 +149,14 @@ class Meshes:
     def triangulation(self, pattern, n):
         name = f"{pattern.replace(' ', '_')}{n}"
         run, folder = self.folder / f"{name}.h5", self.folder / name
-        self.trunk("simulate", ROOT / "scenarios" / "healthy.toml", "-o", run, "--set", f"geometry.resolution={n}",
+        self.trunk("simulate", ROOT / "scenarios" / "healthy_no_lung.toml", "-o", run, "--set", f"geometry.resolution={n}",
                    "--set", "time.duration_s=0.001", "--set", "time.dt_ms=0.1")
         self.trunk("export", run, "--pml", folder)
         run.unlink()
         path = folder / "trunk.pml"
         path.write_text(triangulated(path.read_text(encoding="utf-8"), pattern, n), encoding="utf-8")
-        scenario = folder / "healthy.toml"
-        scenario.write_text(f'schema = "trunk.scenario/1"\nextends = "{ROOT}/scenarios/healthy.toml"\n'
+        scenario = folder / "trunk.toml"
+        scenario.write_text(f'schema = "trunk.scenario/1"\nextends = "{ROOT}/scenarios/healthy_no_lung.toml"\n'
                             '[geometry]\npml = "trunk.pml"\n', encoding="utf-8")
         return scenario
 

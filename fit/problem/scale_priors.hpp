@@ -12,6 +12,9 @@ struct ScalePrior {
   std::string source;
 };
 
+/// The source of a prior that the user gave.
+inline constexpr std::string_view given_source = "given";
+
 /// The name of the prior on the abdominal elastance, which is no parameter: k_elasticity and the factor of
 /// the wall make it. Along the one direction that no pressure sees, it stays.
 inline constexpr std::string_view abdominal_elastance_prior = "abdominal_elastance";

@@ -168,7 +168,7 @@ void SubjectFit::take_scale(Draft& draft) {
     if (given != plan_.priors.end()) {
       prior.mean = given->mean.value_or(prior.mean);
       prior.factor = std::exp(given->deviation);
-      prior.source = "given";
+      prior.source = given_source;
     }
     const bool abdominal = prior.name == abdominal_elastance_prior;
     if (abdominal && given != plan_.priors.end()) plan_.priors.erase(given);

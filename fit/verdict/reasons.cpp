@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <utility>
 
 namespace trunk {
 namespace {
@@ -101,6 +102,13 @@ std::string assumption_behind(const std::string& source) {
   return "the " + source + " holds";
 }
 
+/// Returns whether a share is that of a usual prior, which the user has not replaced.
+bool is_usual_prior(const FitEvidence& in, const Share& share) {
+  return std::any_of(in.scale.begin(), in.scale.end(), [&](const ScalePrior& p) {
+    return p.source != given_source && share.source == "prior of " + p.name;
+  });
+}
+
 }  // namespace
 
 bool pressure_measured(const FitEvidence& in) {
@@ -116,8 +124,15 @@ std::string grade_of_shares(const FitEvidence& in, const FitResult& r) {
   const bool alone = prior_part(r.shares) <= most_of_priors;
   if (alone && narrow && !in.straight && in.breath && in.breath->breaths_used >= 5) return "";
   std::string text = in.straight ? "the activation is made of straight lines" : "";
+  bool usual = false;
   for (const Share& s : r.shares) {
     if (s.measured || s.part < worth_a_word) continue;
+    if (is_usual_prior(in, s) && s.pull <= far) {
+      if (!std::exchange(usual, true))
+        text +=
+            std::string(text.empty() ? "" : "; ") + "lung, airway, abdomen and tissue are as usual in adults";
+      continue;
+    }
     text += (text.empty() ? "" : "; ") + assumption_behind(s.source);
     if (s.pull > far)
       text += fmt::format(", which this recording contradicts: it lies {:.1f} deviations away", s.pull);
