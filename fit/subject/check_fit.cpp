@@ -2,15 +2,20 @@
 
 #include <fmt/format.h>
 
+#include "subject/fit_draft.hpp"
 #include "subject/fit_job.hpp"
-#include "subject/fixed_parameters.hpp"
 
 namespace trunk {
 namespace {
 
-/// Refuses a parameter that cannot be fitted from this scenario. Timing starts from the trace.
-void require_use(const std::string& name, const ScenarioFile& file) {
+/// Refuses a parameter that cannot be fitted from this scenario. Timing starts from the trace, which may also
+/// give the scenario a lung.
+void require_use(const std::string& name, const ScenarioFile& file, bool traced) {
   const FreeParameter& p = free_parameter(name);
+  if (p.of_lung && !file.scenario.lung_acts) {
+    if (traced) return;
+    throw no_lung({"--free " + name});
+  }
   const double start = value_of(p, {file.scenario.parameters, file.scenario.activation});
   const bool starts_here = p.group == FreeParameter::Group::mechanics;
   if (starts_here && !(start >= p.lower && start <= p.upper))
@@ -32,7 +37,7 @@ void check_fit(const FitRequest& request, const std::optional<ScenarioFile>& fil
   std::vector<FixedParameter> fixed;
   for (const std::string& text : plan.fixed) mistakes.gather([&] { fixed.push_back(fixed_parameter(text)); });
   for (const std::string& name : names_to_fit(plan.free, fixed, request.trace.empty() && measured, mistakes))
-    if (file) mistakes.gather([&] { require_use(name, *file); });
+    if (file) mistakes.gather([&] { require_use(name, *file, !request.trace.empty()); });
   // The rest only shows when the fit is set up.
   if (mistakes.empty() && file && measured) mistakes.gather([&] { FitJob(request, {}, {}); });
 }

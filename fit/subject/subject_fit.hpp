@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <memory>
 
 #include "breaths/mean_breath.hpp"
@@ -8,7 +7,7 @@
 #include "gates/gates.hpp"
 #include "problem/scale_priors.hpp"
 #include "scenarios/read_scenario.hpp"
-#include "subject/fixed_parameters.hpp"
+#include "subject/fit_draft.hpp"
 #include "verdict/fit_results.hpp"
 
 namespace trunk {
@@ -69,22 +68,15 @@ class SubjectFit {
   const std::vector<LocalSearch>& compartment_searches() const noexcept { return searches_; }  // best first
 
  private:
-  /// What is fitted and what is held.
-  struct Draft {
-    std::vector<std::string> names, beside;
-    std::vector<FixedParameter> fixed;
-
-    /// Returns the times and the level that are estimated beside what is asked for.
-    std::vector<std::string> timing() const;
-    bool has(std::string_view name) const { return std::count(names.begin(), names.end(), name) > 0; }
-  };
-  Draft drafted() const;
+  /// Returns whether the pressure of the airway changes in the course of a breath, so that a machine may
+  /// breathe.
+  bool driven_by_airway() const;
   void give_lung();
-  void take_scale(Draft& draft);
+  void take_scale(FitDraft& draft);
   Knowledge knowledge_of(bool shaped) const;
-  void begin_with_compartment(const Draft& draft);
+  void begin_with_compartment(const FitDraft& draft);
   void choose_step();
-  void calibrate_compartment(const Draft& draft);
+  void calibrate_compartment(const FitDraft& draft);
   FitProblem problem() const;
 
   ScenarioFile file_;
