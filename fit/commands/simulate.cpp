@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -46,10 +47,15 @@ std::vector<NamedValue> all_intervals(const Simulated& s) {
   return ends;
 }
 
-Json summary(const Trunk& trunk, const Scenario& scenario, const Simulated& s) {
+Json summary(const Trunk& trunk, const Scenario& scenario, const Simulated& s,
+             const std::vector<NamedValue>& measures) {
   const BreathRun& run = s.run;
   Json json{{"schema", "trunk.simulate/1"}, {"status", status_word(run.ending.status)}};
   for (const Predicted& p : s.numbers) json[p.name] = json_number(p.value);
+  for (const NamedValue& m : measures) json.emplace(m.name, json_number(m.value));
+  // Without a lung there is no pleural pressure; a script finds the names all the same.
+  for (const char* name : {"pleural_swing_cmH2O", "transdiaphragmatic_swing_cmH2O"})
+    json.emplace(name, nullptr);
   for (const NamedValue& v : all_intervals(s)) json[v.name] = json_number(v.value);
   if (s.draws > 0) {
     json["draws"] = s.draws;
@@ -91,8 +97,8 @@ void note_loads(const Scenario& s, const BreathRun& run) {
         at_end));
 }
 
-std::string table(const Simulated& s) {
-  if (s.draws == 0 && s.structure.empty()) return aligned(measures_of(s.run));
+std::string table(const Simulated& s, const std::vector<NamedValue>& measures) {
+  if (s.draws == 0 && s.structure.empty()) return aligned(measures);
   const auto range = [](double lower, double upper) {
     return shown(lower, "{:.4g}") + " to " + shown(upper, "{:.4g}");
   };
@@ -107,6 +113,10 @@ std::string table(const Simulated& s) {
       text += fmt::format("  {:>22}", range(p.structural_lower95, p.structural_upper95));
     text += fmt::format(" {}\n", p.unit == "1" ? "" : p.unit);
   }
+  for (const NamedValue& m : measures)
+    if (std::none_of(s.numbers.begin(), s.numbers.end(),
+                     [&](const Predicted& p) { return p.name == m.name; }))
+      text += fmt::format("  {:<33}  {:>10} {}\n", m.name, shown(m.value, "{:.4g}"), m.unit);
   return text + structure_table(s.structure, {"delta_v_ml", "excursion_right_mm", "excursion_left_mm",
                                               "delta_l_mm", "delta_h_mm"});
 }
@@ -200,9 +210,9 @@ Exit simulate_command(const Common& common, const SimulateRequest& request) {
                         parameters.elasticity, bending_stiffness(parameters.elasticity));
   const std::string text = fmt::format(
       "{}: {}\n{}{}  {} particles, {} steps of {:g} ms in {:.1f} ms; written to {}", file.scenario.title,
-      run.ending.message, table(s), bending, trunk.model.particles(), run.ending.steps,
+      run.ending.message, table(s, record.measures), bending, trunk.model.particles(), run.ending.steps,
       ms_per_s * file.scenario.time.dt_s, ms_per_s * run.wall_s, request.output);
-  print_result(common, summary(trunk, file.scenario, s), text);
+  print_result(common, summary(trunk, file.scenario, s, record.measures), text);
   return run.ending.completed() ? Exit::done : Exit::not_converged;
 }
 

@@ -1,7 +1,9 @@
 #include "comparison/compare.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <string_view>
 
 #include "math/units.hpp"
 
@@ -152,15 +154,25 @@ void Comparer::trajectories(const Trajectory& a, const Trajectory& b) {
   if (!same) result_.differences.push_back(worst);
 }
 
-/// Returns the measures of a run, with what only newer files say, if the other one is newer: before there
-/// was `time.start`, every breath began at rest.
+/// Measures that older files of trunks without a lung do not have. They follow from the curves and frames.
+constexpr std::array later = {"gastric_swing_cmH2O", "excursion_left_most_risen_mm",
+                              "excursion_right_most_risen_mm", "recoil_time_s"};
+
+/// Returns the measures of a run that the other one can have too. What only newer files say is added if the
+/// other one is newer: before there was `time.start`, every breath began at rest. If the other one is older,
+/// what it cannot say is left out.
 std::vector<NamedValue> measures_beside(const RunRecord& run, const RunRecord& other) {
-  const auto is_level = [](const NamedValue& v) { return v.name == "end_expiratory_above_relaxation_ml"; };
+  const auto in = [](const RunRecord& r, std::string_view name) {
+    return std::any_of(r.measures.begin(), r.measures.end(),
+                       [&](const NamedValue& v) { return v.name == name; });
+  };
   std::vector<NamedValue> measures = run.measures;
-  const auto theirs = std::find_if(other.measures.begin(), other.measures.end(), is_level);
-  if (theirs == other.measures.end() || std::any_of(measures.begin(), measures.end(), is_level))
-    return measures;
-  measures.push_back({theirs->name, theirs->unit, run.status == "completed" ? 0.0 : std::nan("")});
+  std::erase_if(measures, [&](const NamedValue& v) {
+    return std::find(later.begin(), later.end(), v.name) != later.end() && !in(other, v.name);
+  });
+  const char* level = "end_expiratory_above_relaxation_ml";
+  if (in(other, level) && !in(run, level))
+    measures.push_back({level, "ml", run.status == "completed" ? 0.0 : std::nan("")});
   return measures;
 }
 

@@ -121,22 +121,14 @@ std::vector<NamedValue> measures_of(const BreathSummary& run) {
       {"max_relative_volume_error", "1", run.max_relative_volume_error},
       {"flipped_triangles", "1", static_cast<double>(run.flipped_triangles)},
       {"abdominal_pressure_peak_cmH2O", "cmH2O", run.peak_pressure_Pa / Pa_per_cmH2O},
-      {"end_expiratory_above_relaxation_ml", "ml", run.above_relaxation / m3_per_ml}};
+      {"end_expiratory_above_relaxation_ml", "ml", run.above_relaxation / m3_per_ml},
+      {"gastric_swing_cmH2O", "cmH2O", run.gastric_swing_Pa / Pa_per_cmH2O},
+      {"excursion_left_most_risen_mm", "mm", 0.0 - run.left_rise / m_per_mm},
+      {"excursion_right_most_risen_mm", "mm", 0.0 - run.right_rise / m_per_mm}};
   if (!run.swings) return values;
-  const auto add = [&](const char* name, const char* unit, double value) {
-    values.push_back({name, unit, value});
-  };
-  add("gastric_swing_cmH2O", "cmH2O", run.swings->gastric_Pa / Pa_per_cmH2O);
-  add("pleural_swing_cmH2O", "cmH2O", run.swings->pleural_Pa / Pa_per_cmH2O);
-  add("transdiaphragmatic_swing_cmH2O", "cmH2O", run.swings->transdiaphragmatic_Pa / Pa_per_cmH2O);
-  add("excursion_right_most_risen_mm", "mm", 0.0 - run.right_rise / m_per_mm);
-  add("excursion_left_most_risen_mm", "mm", 0.0 - run.left_rise / m_per_mm);
-  return values;
-}
-
-std::vector<NamedValue> measures_of(const BreathRun& run) {
-  std::vector<NamedValue> values = measures_of(static_cast<const BreathSummary&>(run));
-  if (run.swings) values.push_back({"recoil_time_s", "s", run.recoil_time_s.value_or(std::nan(""))});
+  values.push_back({"pleural_swing_cmH2O", "cmH2O", run.swings->pleural_Pa / Pa_per_cmH2O});
+  values.push_back(
+      {"transdiaphragmatic_swing_cmH2O", "cmH2O", run.swings->transdiaphragmatic_Pa / Pa_per_cmH2O});
   return values;
 }
 
@@ -184,6 +176,8 @@ RunRecord run_record(const ScenarioFile& file, const Trunk& trunk, const BreathR
   if (file.scenario.mesh) r.trunk_pml = trunk_pml(file.scenario);
   r.parameters = parameters_of({file.scenario.parameters, file.scenario.activation});
   r.measures = measures_of(run);
+  const auto recoil_s = run.ending.completed() ? recoil_time_s(trunk, file.scenario) : std::nullopt;
+  r.measures.push_back({"recoil_time_s", "s", recoil_s.value_or(std::nan(""))});
   if (!run.frames.empty()) {
     r.trajectory = trajectory_of(trunk, run, file.scenario.time.dt_s);
     r.frame_series = frame_series(trunk, run);

@@ -9,11 +9,9 @@ namespace trunk {
 
 /// Returns the row of Table 1 and further measures, in ml, mm and cmH2O, named as in `simulate --json`. All
 /// are NaN if the breath did not complete.
-/// Pressures of a lung, and how far the domes rise, come last, and only if there is a lung. Excursions are
-/// positive where a dome descends, so that of the most risen moment is 0 or negative.
+/// Pressures of a lung come last, and only if there is a lung. Excursions are positive where a dome descends,
+/// so that of the most risen moment is 0 or negative.
 std::vector<NamedValue> measures_of(const BreathSummary& run);
-/// Returns the same and the recoil time, if there is a lung.
-std::vector<NamedValue> measures_of(const BreathRun& run);
 
 /// Returns every parameter that a fit can vary, in natural units.
 std::vector<NamedValue> parameters_of(const Candidate& candidate);
@@ -25,7 +23,9 @@ void adopt_parameters(const std::vector<NamedValue>& parameters, Scenario& scena
 /// Returns the word for a status: "completed", "diverged", "volume_lost", or "not_run".
 std::string status_word(Ending::Status status);
 
-/// Returns the record of a run. `measured` is the curve that was fitted, on an even grid of times, or empty.
+/// Returns the record of a run. Its measures are those of measures_of and the recoil time, which is NaN if
+/// the trunk does not come to rest. `measured` is the curve that was fitted, on an even grid of times, or
+/// empty.
 RunRecord run_record(const ScenarioFile& file, const Trunk& trunk, const BreathRun& run,
                      const MeasuredCurve& measured, const Provenance& provenance);
 

@@ -61,6 +61,7 @@ BreathSummary summary_of(const Trunk& trunk, BreathCourse course) {
   s.above_relaxation = course.curve.above_relaxation;
   s.measures = measures_between(shape_of(trunk, course.at_start), shape_of(trunk, course.at_highest));
   s.peak_pressure_Pa = course.peak_pressure_Pa;
+  s.gastric_swing_Pa = course.gastric_swing_Pa;
   if (model.pleura) s.swings = course.swings;
   s.right_rise = course.right_rise_m;
   s.left_rise = course.left_rise_m;
@@ -101,7 +102,6 @@ BreathRun run_breath(const Trunk& trunk, const Scenario& scenario, int frame_eve
   run.start = course.at_start;
   run.end_inspiration = course.at_highest;
   static_cast<BreathSummary&>(run) = summary_of(trunk, std::move(course));
-  if (trunk.model.pleura && run.ending.completed()) run.recoil_time_s = recoil_time_s(trunk, scenario);
   return run;
 }
 

@@ -11,12 +11,13 @@ namespace trunk {
 /// What a table keeps of a simulated breath. Curves have one entry for each step and one for the start.
 struct BreathSummary {
   Ending ending;
-  std::vector<double> delta_v;           // m3, lung volume above its value at t = 0
-  double above_relaxation = 0.0;         // m3, of the lung volume at t = 0 (end-expiration); 0 from rest
-  Measures measures;                     // from t = 0 to end-inspiration, where the lung volume is highest
-  double peak_pressure_Pa = 0.0;         // abdominal, above rest
-  std::optional<PressureSwings> swings;  // with a lung
-  double right_rise = 0.0, left_rise = 0.0;  // m, of the domes above t = 0 at the most; with a lung
+  std::vector<double> delta_v;          // m3, lung volume above its value at t = 0
+  double above_relaxation = 0.0;        // m3, of the lung volume at t = 0 (end-expiration); 0 from rest
+  Measures measures;                    // from t = 0 to end-inspiration, where the lung volume is highest
+  double peak_pressure_Pa = 0.0;        // abdominal, above rest
+  double gastric_swing_Pa = 0.0;        // of the same, see PleuralSwings
+  std::optional<PleuralSwings> swings;  // with a lung
+  double right_rise = 0.0, left_rise = 0.0;  // m, of the domes above t = 0 at the most
   double max_relative_volume_error = 0.0;
   int flipped_triangles = 0;  // of the lung; above 0: the model is out of its range
 };
@@ -27,7 +28,6 @@ struct BreathRun : BreathSummary {
   std::vector<double> activation;           // 0..1
   std::vector<double> pressure_Pa;          // abdominal, above rest
   std::vector<double> pleural_pressure_Pa;  // above rest; empty without a lung
-  std::optional<double> recoil_time_s;      // with a lung, if the trunk comes to rest
   double wall_s = 0.0;                      // duration of the time loop
 
   enum class Touch { none, slides, sticks };  // contact of a particle with the surface that supports it

@@ -90,8 +90,12 @@ Trunk make_trunk(const Scenario& s) {
 }
 
 std::optional<double> recoil_time_s(const Trunk& trunk, const Scenario& s) {
+  Model model = trunk.model;
+  for (Fibre& fibre : model.fibres)
+    if (fibre.activity == 0.0) fibre.activity = 1.0;
   try {
-    return recoil_time_s(measure_recoil(trunk.model, s.parameters), s.parameters, trunk.model.pleura);
+    const double time_s = recoil_time_s(measure_recoil(model, s.parameters), s.parameters, model.pleura);
+    return time_s > 0.0 ? std::optional(time_s) : std::nullopt;
   } catch (const InputError&) {
     return std::nullopt;
   }

@@ -50,7 +50,8 @@ TrunkMesh mesh_of(const Scenario& scenario);
 Trunk make_trunk(const Scenario& scenario);
 
 /// Returns the time in which the relaxed trunk, with its lung and airway, loses 63 % of its volume, s;
-/// nothing if it does not come to rest.
+/// nothing if it does not come to rest, or swings. All fibres hold the volume before, those of a paralysed
+/// side too: held by one side, the domes would sway for longer than the volume lasts.
 std::optional<double> recoil_time_s(const Trunk& trunk, const Scenario& scenario);
 
 /// Throws InputErrors with all courses that cannot repeat, if breathing should.

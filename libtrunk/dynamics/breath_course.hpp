@@ -7,18 +7,19 @@
 
 namespace trunk {
 
-/// How far pressures swing over a breath: the changes from t = 0 (end-expiration) that are the largest in
-/// size, with their signs. In a breath of the muscle the pleural pressure falls, and the others rise. Each
-/// has its own moment.
-struct PressureSwings {
-  double gastric_Pa = 0.0, pleural_Pa = 0.0, transdiaphragmatic_Pa = 0.0;
+/// How far the pressures that a lung makes swing over a breath: the changes from t = 0 (end-expiration) that
+/// are the largest in size, with their signs. In a breath of the muscle the pleural pressure falls, and the
+/// other rises. Each has its own moment.
+struct PleuralSwings {
+  double pleural_Pa = 0.0, transdiaphragmatic_Pa = 0.0;
 };
 
 /// The volume curve of one simulated breath, and what tables need beside it.
 struct BreathCourse {
   VolumeCurve curve;
   double peak_pressure_Pa = 0.0;                 // abdominal, above rest
-  PressureSwings swings;                         // with a pleura
+  double gastric_swing_Pa = 0.0;                 // of the abdominal pressure, see PleuralSwings
+  PleuralSwings swings;                          // with a pleura
   double right_rise_m = 0.0, left_rise_m = 0.0;  // of the tops of the domes above t = 0, at the most
   double max_relative_volume_error = 0.0;        // of the held volume
   std::vector<Vec3d> at_start;                   // [particles] m, at t = 0
@@ -43,7 +44,7 @@ class BreathWatch {
     gains_.push_back(gain);
     if (step == 0) at_start_ = state.position;
     keep_larger(report.pressure_Pa, peak_pressure_Pa_);
-    if (model_.pleura) follow(state, report);
+    follow(state, report);
     keep_larger(relative_volume_error(state), max_relative_volume_error_);
     keep_where(highest_ < gain, gain, state.position, highest_, at_highest_);
     keep_where(gain < lowest_, gain, state.position, lowest_, at_lowest_);
@@ -58,8 +59,8 @@ class BreathWatch {
     c.curve.ending = std::move(ending);
     require_lung(enclosed_volume<double>(model_.lung, model_.rest) + in_lane(lowest_, lane), c.curve.ending);
     c.peak_pressure_Pa = in_lane(peak_pressure_Pa_, lane);
-    c.swings = {in_lane(gastric_.swing(), lane), in_lane(pleural_.swing(), lane),
-                in_lane(transdiaphragmatic_.swing(), lane)};
+    c.gastric_swing_Pa = in_lane(gastric_.swing(), lane);
+    c.swings = {in_lane(pleural_.swing(), lane), in_lane(transdiaphragmatic_.swing(), lane)};
     c.right_rise_m = in_lane(right_.highest - right_.first, lane);
     c.left_rise_m = in_lane(left_.highest - left_.first, lane);
     c.max_relative_volume_error = in_lane(max_relative_volume_error_, lane);
@@ -82,8 +83,10 @@ class BreathWatch {
 
   void follow(const State<S>& state, const StepReport<S>& report) {
     gastric_(report.pressure_Pa);
-    pleural_(report.pleural_pressure_Pa);
-    transdiaphragmatic_(report.pressure_Pa - report.pleural_pressure_Pa);
+    if (model_.pleura) {
+      pleural_(report.pleural_pressure_Pa);
+      transdiaphragmatic_(report.pressure_Pa - report.pleural_pressure_Pa);
+    }
     right_(height_of(model_.domes.right, state));
     left_(height_of(model_.domes.left, state));
   }

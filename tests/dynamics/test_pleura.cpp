@@ -216,7 +216,7 @@ TEST_CASE("A healthy breath with a lung has the pressures that clinics measure",
   CHECK(lowest / cmH2O == Approx(-3.16).margin(0.005));
   CHECK(highest(across) / cmH2O == Approx(6.61).margin(0.005));
   // Swings count from end-expiration, where the lung still empties.
-  CHECK(run.swings->gastric_Pa == highest(run.pressure_Pa) - run.pressure_Pa.front());
+  CHECK(run.gastric_swing_Pa == highest(run.pressure_Pa) - run.pressure_Pa.front());
   CHECK(run.swings->pleural_Pa == lowest - run.pleural_pressure_Pa.front());
   CHECK(run.swings->transdiaphragmatic_Pa == highest(across) - across.front());
   CHECK(run.right_rise > 0.0);  // the lung empties for a moment more

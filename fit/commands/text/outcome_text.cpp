@@ -64,6 +64,9 @@ std::string predictions_table(const std::vector<Prediction>& predictions, bool d
     text += fmt::format("    the domes descend {} right and {} left; the zone of apposition shortens by {}\n",
                         predicted_text(p, "excursion_right_mm"), predicted_text(p, "excursion_left_mm"),
                         predicted_text(p, "delta_l_mm"));
+    text += fmt::format("    where they are most risen: {} right and {} left\n",
+                        predicted_text(p, "excursion_right_most_risen_mm"),
+                        predicted_text(p, "excursion_left_most_risen_mm"));
     text += structural_text(p);
     if (detailed)
       text += structure_table(p.structure,

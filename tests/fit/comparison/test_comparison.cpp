@@ -125,6 +125,20 @@ TEST_CASE("Fits differ in estimates, statistics, curves and the best run", "[com
                                                         "result dV_fit", "measures delta_l"});
 }
 
+TEST_CASE("What older files could not say is no difference", "[comparison]") {
+  RunRecord old = sample_run();
+  RunRecord now = old;
+  now.measures.push_back({"gastric_swing_cmH2O", "cmH2O", 9.7});
+  now.measures.push_back({"recoil_time_s", "s", 0.12});
+  CHECK(compare_runs(old, now, usual).same());
+  CHECK(compare_runs(now, old, usual).same());
+  old.measures.push_back({"recoil_time_s", "s", 0.13});
+  CHECK(names(compare_runs(old, now, usual)) == Names{"measures recoil_time_s"});
+  now.measures.push_back({"pleural_swing_cmH2O", "cmH2O", -3.2});  // only one of them has a lung
+  CHECK(names(compare_runs(old, now, usual)) ==
+        Names{"measures recoil_time_s", "measures pleural_swing_cmH2O"});
+}
+
 TEST_CASE("A run from before breathing could repeat began at rest", "[comparison]") {
   RunRecord old = sample_run();
   old.status = "completed";
