@@ -3,6 +3,7 @@
 #include "commands/commands.hpp"
 #include "commands/options/shipped_files.hpp"
 #include "commands/text/validation_text.hpp"
+#include "validation/usual_ranges.hpp"
 
 namespace trunk {
 namespace {
@@ -21,10 +22,24 @@ Json breath_json(const ValidatedScenario& scenario, const ValidatedBreath& breat
   return {{"scenario", scenario.name},
           {"status", breath.status},
           {"message", breath.message},
+          {"start", breath.start == Start::rest ? "rest" : "periodic"},
           {"delta_v_ml", json_number(breath.row.dv_ml)},
           {"excursion_left_mm", json_number(breath.left_dome_mm)},
           {"excursion_right_mm", json_number(breath.right_dome_mm)},
+          {"excursion_left_most_risen_mm", json_number(breath.left_most_risen_mm)},
+          {"excursion_right_most_risen_mm", json_number(breath.right_most_risen_mm)},
           {"max_relative_volume_error", json_number(breath.volume_error)}};
+}
+
+/// Returns what only a breath with a lung has.
+Json pressures_json(const ValidatedScenario& scenario, const ValidatedBreath& breath) {
+  Json json{{"scenario", scenario.name}};
+  for (const UsualRange& r : usual_ranges()) json[std::string(r.measure)] = json_number(breath.*r.value);
+  return json;
+}
+
+Json range_json(const UsualRange& r) {
+  return {{"name", r.measure}, {"low", r.low}, {"high", r.high}, {"unit", r.unit}, {"source", r.source}};
 }
 
 Json bound_json(const Judged& r) {
@@ -42,7 +57,8 @@ Json validation_summary(const ValidationRun& f, std::span<const Judged> results,
   Json json{{"schema", "trunk.validate/1"},   {"status", valid ? "valid" : "not_valid"},
             {"scenarios", request.scenarios}, {"table1", request.table1},
             {"rows", Json::array()},          {"errors", Json::array()},
-            {"breaths", Json::array()},       {"bounds", Json::array()}};
+            {"breaths", Json::array()},       {"pressures", Json::array()},
+            {"usual", Json::array()},         {"bounds", Json::array()}};
   for (const Table1Source& source : table1_rows(f)) {
     json["rows"].push_back(row_json(
         source.name, [&](const Table1Column& column) { return json_number(source.row->*column.value); }));
@@ -52,8 +68,12 @@ Json validation_summary(const ValidationRun& f, std::span<const Judged> results,
         return Json{{"value", json_number(error.value)}, {"unit", error.relative ? "percent" : column.unit}};
       }));
   }
-  for (const ValidatedScenario& scenario : validated_scenarios())
-    json["breaths"].push_back(breath_json(scenario, f.*scenario.breath));
+  for (const ValidatedScenario& scenario : validated_scenarios()) {
+    const ValidatedBreath& breath = f.*scenario.breath;
+    json["breaths"].push_back(breath_json(scenario, breath));
+    if (breath.lung) json["pressures"].push_back(pressures_json(scenario, breath));
+  }
+  for (const UsualRange& r : usual_ranges()) json["usual"].push_back(range_json(r));
   for (const Judged& r : results) json["bounds"].push_back(bound_json(r));
   return json;
 }
@@ -105,8 +125,9 @@ void add_validate(CLI::App& app, Common& common, Run& run) {
     names += (names.empty() ? "" : ", ") + std::string(scenario.name);
   command->footer(
       "It simulates " + names +
-      ". It prints Table 1 (experiment, published model, ours), the errors, and every bound with its "
-      "value. The exit code is 3 if a bound does not hold or a simulation does not end.\n\n"
+      ". It prints Table 1 (experiment, published model, ours), the errors, the domes, the pressures of "
+      "trunks with a lung beside usual ones, and every bound with its value. The exit code is 3 if a bound "
+      "does not hold or a simulation does not end.\n\n"
       "Example:\n"
       "  trunk validate");
   command->callback(

@@ -6,6 +6,7 @@
 #include "errors/input_error.hpp"
 #include "records/run_record.hpp"
 #include "scenarios/build_trunk.hpp"
+#include "validation/usual_ranges.hpp"
 
 namespace trunk {
 namespace {
@@ -35,16 +36,23 @@ double value_of(std::span<const NamedValue> measures, std::string_view name) {
 
 ValidatedBreath simulated(const std::filesystem::path& scenario) {
   const ScenarioFile file = read_scenario(scenario);
-  const BreathRun run = run_breath(build_trunk(file), file.scenario, 0);
-  const std::vector<NamedValue> measures = measures_of(run);
+  const Trunk trunk = build_trunk(file);
+  const BreathRun run = run_breath(trunk, file.scenario, 0);
+  const std::vector<NamedValue> measures = run_record(file, trunk, run, {}, {}).measures;
   ValidatedBreath breath;
   breath.title = file.scenario.title;
+  breath.start = file.scenario.time.start;
+  breath.lung = file.scenario.lung_acts;
   breath.status = status_word(run.ending.status);
   breath.message = run.ending.message;
   breath.row = row_of(measures);
   breath.right_dome_mm = value_of(measures, "excursion_right_mm");
   breath.left_dome_mm = value_of(measures, "excursion_left_mm");
+  breath.right_most_risen_mm = value_of(measures, "excursion_right_most_risen_mm");
+  breath.left_most_risen_mm = value_of(measures, "excursion_left_most_risen_mm");
   breath.volume_error = value_of(measures, "max_relative_volume_error");
+  for (const UsualRange& range : usual_ranges())
+    breath.*range.value = breath.lung ? value_of(measures, range.measure) : std::nan("");
   return breath;
 }
 

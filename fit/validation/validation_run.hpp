@@ -2,6 +2,7 @@
 
 #include <functional>
 
+#include "dynamics/time_grid.hpp"
 #include "validation/table1.hpp"
 
 namespace trunk {
@@ -9,10 +10,17 @@ namespace trunk {
 /// The numbers of one simulated breath that validation uses.
 struct ValidatedBreath {
   std::string title, status, message;  // status as in `simulate --json`
+  Start start = Start::rest;           // of the scenario
+  bool lung = false;                   // the scenario has one
   Table1Row row;                       // this and all numbers below are NaN if the breath did not complete
   double right_dome_mm = 0.0;          // descent at end-inspiration; negative if the dome rises
   double left_dome_mm = 0.0;
+  double right_most_risen_mm = 0.0;  // the same where it is lowest over the breath
+  double left_most_risen_mm = 0.0;
   double volume_error = 0.0;  // largest relative error of the abdominal volume over the breath
+  // NaN without a lung; swings are the largest changes from end-expiration, with their signs.
+  double gastric_swing_cmH2O = 0.0, pleural_swing_cmH2O = 0.0, transdiaphragmatic_swing_cmH2O = 0.0;
+  double recoil_time_s = 0.0;
 };
 
 /// The paper's table and all simulated breaths: what the bounds compare.

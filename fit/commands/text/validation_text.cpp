@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "commands/text/output.hpp"
+#include "validation/usual_ranges.hpp"
 
 namespace trunk {
 namespace {
@@ -40,20 +41,50 @@ std::string table1_text(const ValidationRun& f) {
   return text + "\n";
 }
 
+/// Returns how far a dome descends.
+std::string dome_text(double mm) {
+  return shown(without_negative_zero(mm, 2), "{:+.2f}");
+}
+
 /// Returns a row for every simulated breath. A paralysed one is also given in percent of its healthy twin.
 std::string breaths_text(const ValidationRun& f) {
-  std::string text = fmt::format("{:<30} {:>8} {:>10} {:>12} {:>12} {:>12}\n", "Domes: positive descends",
-                                 "dV ml", "% of twin", "right mm", "left mm", "volume error");
+  std::string text = fmt::format("{0:<30} {1:8} {1:8} {1:8} {2:>18} {3:>17}\n", "Domes: positive descends",
+                                 "", "at peak volume, mm", "most risen, mm");
+  text += fmt::format("{:<30} {:>8} {:>8} {:>9} {:>8} {:>8} {:>8} {:>8} {:>12}\n", "", "start", "dV ml",
+                      "% of twin", "right", "left", "right", "left", "volume error");
   for (const ValidatedScenario& scenario : validated_scenarios()) {
     const ValidatedBreath& breath = f.*scenario.breath;
     std::string of_twin;
     for (const ParalysedPair& pair : paralysed_pairs())
       if (pair.breath == scenario.breath) of_twin = shown(pair.volume_percent(f), "{:.1f}");
-    text += fmt::format("{:<30} {:>8} {:>10} {:>12} {:>12} {:>12}\n", scenario.name,
-                        shown(breath.row.dv_ml, "{:.1f}"), of_twin, shown(breath.right_dome_mm, "{:+.2f}"),
-                        shown(breath.left_dome_mm, "{:+.2f}"), shown(breath.volume_error, "{:.1e}"));
+    text += fmt::format("{:<30} {:>8} {:>8} {:>9} {:>8} {:>8} {:>8} {:>8} {:>12}\n", scenario.name,
+                        breath.start == Start::rest ? "rest" : "periodic", shown(breath.row.dv_ml, "{:.1f}"),
+                        of_twin, dome_text(breath.right_dome_mm), dome_text(breath.left_dome_mm),
+                        dome_text(breath.right_most_risen_mm), dome_text(breath.left_most_risen_mm),
+                        shown(breath.volume_error, "{:.1e}"));
   }
   return text;
+}
+
+/// Returns a row of usual numbers, a row for every breath with a lung, and where the ranges come from; "" if no
+/// scenario has a lung.
+std::string pressures_text(const ValidationRun& f) {
+  std::string head = fmt::format("{:<30}", "Swings, and recoil time"), sources,
+              usual = fmt::format("\n{:<30}", "usual in quiet breathing"), rows;
+  const auto width = [](const UsualRange& r) { return 3 + r.title.size() + r.unit.size(); };
+  for (const UsualRange& r : usual_ranges()) {
+    head += fmt::format("{:>{}}", fmt::format("{} {}", r.title, r.unit), width(r));
+    usual += fmt::format("{:>{}}", fmt::format("{:g} to {:g}", r.low, r.high), width(r));
+    sources += fmt::format("  {}: {}.\n", r.title, r.source);
+  }
+  for (const ValidatedScenario& scenario : validated_scenarios()) {
+    const ValidatedBreath& breath = f.*scenario.breath;
+    if (!breath.lung) continue;
+    rows += fmt::format("\n{:<30}", scenario.name);
+    for (const UsualRange& r : usual_ranges())
+      rows += fmt::format("{:>{}}", shown(breath.*r.value, "{:.2f}"), width(r));
+  }
+  return rows.empty() ? "" : head + usual + rows + "\n" + sources + "\n";
 }
 
 std::string bounds_text(std::span<const Judged> results) {
@@ -77,7 +108,8 @@ std::vector<Table1Source> table1_rows(const ValidationRun& f) {
 
 std::string validation_text(const ValidationRun& findings, std::span<const Judged> results) {
   const auto failed = std::count_if(results.begin(), results.end(), [](const Judged& r) { return !r.pass; });
-  return table1_text(findings) + "\n" + breaths_text(findings) + "\n" + bounds_text(results) +
+  return table1_text(findings) + "\n" + breaths_text(findings) + "\n" + pressures_text(findings) +
+         bounds_text(results) +
          (failed == 0 ? fmt::format("All {} bounds hold.", results.size())
                       : fmt::format("{} of {} bounds fail.", failed, results.size()));
 }

@@ -5,6 +5,7 @@
 #include "support/catch.hpp"
 #include "support/temporary_folder.hpp"
 #include "validation/bounds.hpp"
+#include "validation/usual_ranges.hpp"
 
 using namespace trunk;
 
@@ -38,6 +39,11 @@ ValidationRun good() {
   f.paper = read_table1(shipped_table);
   f.published_healthy = breath(440.0, 9.0, 9.0);
   f.healthy = breath(466.0, 10.0, 10.0);
+  f.healthy.lung = true;
+  f.healthy.gastric_swing_cmH2O = 3.5;
+  f.healthy.pleural_swing_cmH2O = -3.2;
+  f.healthy.transdiaphragmatic_swing_cmH2O = 6.6;
+  f.healthy.recoil_time_s = 0.35;
   f.craighero = breath(466.0, 10.0, 10.0);
   f.hemiparalysis_right = breath(230.0, -2.0, 14.0);
   f.hemiparalysis_left = breath(230.0, 14.0, -2.0);
@@ -140,6 +146,11 @@ TEST_CASE("A good model keeps every bound, each worsened number fails its own", 
       {{"healthy.dr_difference"}, [](ValidationRun& f) { f.healthy.row.dr_mm = -0.51; }},
       {{"healthy.dr_difference", "healthy.dr_nearness"},
        [](ValidationRun& f) { f.healthy.row.dr_mm = -8.9; }},
+      {{"healthy.gastric_swing_cmH2O"}, [](ValidationRun& f) { f.healthy.gastric_swing_cmH2O = 9.65; }},
+      {{"healthy.pleural_swing_cmH2O"}, [](ValidationRun& f) { f.healthy.pleural_swing_cmH2O = 3.2; }},
+      {{"healthy.transdiaphragmatic_swing_cmH2O"},
+       [](ValidationRun& f) { f.healthy.transdiaphragmatic_swing_cmH2O = 5.9; }},
+      {{"healthy.recoil_time_s"}, [](ValidationRun& f) { f.healthy.recoil_time_s = 0.41; }},
       {{"craighero.eev_error"}, [](ValidationRun& f) { f.craighero.row.eev_ml = 4765; }},
       {{"craighero.dv_error"}, [](ValidationRun& f) { f.craighero.row.dv_ml = 461; }},
       {{"craighero.dl_difference"}, [](ValidationRun& f) { f.craighero.row.dl_mm = 10.64; }},
@@ -191,11 +202,21 @@ TEST_CASE("An unknown number keeps no bound", "[unit][validation]") {
     ValidatedBreath& b = f.*scenario.breath;
     for (const Table1Column& column : table1_columns()) b.row.*column.value = std::nan("");
     b.right_dome_mm = b.left_dome_mm = b.volume_error = std::nan("");
+    for (const UsualRange& range : usual_ranges()) b.*range.value = std::nan("");
   }
-  CHECK(failing(f).size() == bounds().size());
+  CHECK(failing(f).size() == bounds(f).size());
   ValidationRun one = good();
   one.exercise_healthy.volume_error = std::nan("");
   CHECK(failing(one) == std::set<std::string>{"all.volume_error"});
+}
+
+TEST_CASE("A healthy trunk without a lung has no pressures to judge", "[unit][validation]") {
+  ValidationRun f = good();
+  f.healthy.pleural_swing_cmH2O = 3.2;
+  CHECK(failing(f) == std::set<std::string>{"healthy.pleural_swing_cmH2O"});
+  f.healthy.lung = false;
+  CHECK(failing(f).empty());
+  CHECK(bounds(f).size() == bounds(good()).size() - usual_ranges().size());
 }
 
 TEST_CASE("Failures give one line with values and bounds, and success gives none", "[unit][validation]") {
@@ -204,12 +225,12 @@ TEST_CASE("Failures give one line with values and bounds, and success gives none
   f.healthy.row.dh_mm = 5.0;
   f.exercise_hemiparalysis_right.right_dome_mm = 3.0;
   const std::string text = failures_text(judged(f));
-  CHECK_THAT(text, Contains("2 of " + std::to_string(bounds().size()) + " bounds do not hold: "));
+  CHECK_THAT(text, Contains("2 of " + std::to_string(bounds(f).size()) + " bounds do not hold: "));
   CHECK_THAT(text, Contains("healthy.dh_difference 3 (bound -0.75 to 0.75 mm)"));
   CHECK_THAT(text, Contains("exercise_hemiparalysis_right.paralysed_dome 3 (bound at most -1 mm)"));
   CHECK(text.find('\n') == std::string::npos);
   std::set<std::string> names;
-  for (const Bound& bound : bounds()) CHECK(names.insert(bound.name).second);
+  for (const Bound& bound : bounds(f)) CHECK(names.insert(bound.name).second);
 }
 
 TEST_CASE("The shipped scenarios keep every bound", "[regression][validation][slow]") {
