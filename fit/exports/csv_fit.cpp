@@ -74,6 +74,11 @@ std::string breath(const FitRecord& fit) {
   table.add("fit", "ml", in_ml(fit.dV_fit_m3));
   table.add("residual", "ml", in_ml(fit.residual_m3));
   table.add("baseline", "ml", in_ml(fit.dV_baseline_m3));
+  for (const FitRecord::Channel& c : fit.channels) {
+    table.add(c.name + "_measured", c.unit, c.measured);
+    table.add(c.name + "_sigma", c.unit, c.sigma);
+    table.add(c.name + "_fit", c.unit, c.model);
+  }
   return table.csv();
 }
 

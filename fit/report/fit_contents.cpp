@@ -42,6 +42,19 @@ Json measured_contents(const FitRecord& fit, Packed& packed) {
           {"sigma", packed_if_any(in_ml(fit.sigma_m3), size, "problem/sigma", packed)}};
 }
 
+Json channel_contents(const FitRecord& fit, Packed& packed) {
+  Json channels = Json::array();
+  const std::size_t size = fit.measured_time_s.size();
+  for (const FitRecord::Channel& c : fit.channels)
+    channels.push_back({{"name", c.name},
+                        {"unit", c.unit},
+                        {"meaning", c.meaning},
+                        {"measured", packed_if_any(c.measured, size, c.name.c_str(), packed)},
+                        {"sigma", packed_if_any(c.sigma, size, c.name.c_str(), packed)},
+                        {"model", packed_if_any(c.model, size, c.name.c_str(), packed)}});
+  return channels;
+}
+
 Json result_contents(const FitRecord& fit, Packed& packed) {
   const std::size_t size = fit.result_time_s.size();
   const auto curve = [&](const std::vector<double>& m3, const char* name) {
@@ -151,6 +164,7 @@ Json prediction_contents(const FitRecord& fit) {
 
 Json fit_contents(const FitRecord& fit, Packed& packed) {
   return {{"measured", measured_contents(fit, packed)},
+          {"channels", channel_contents(fit, packed)},
           {"result", result_contents(fit, packed)},
           {"results", graded_contents(fit.results)},
           {"straight", graded_contents(fit.straight)},

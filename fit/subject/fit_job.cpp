@@ -15,6 +15,7 @@
 #include "records/stored_subject.hpp"
 #include "results/write/write_fit.hpp"
 #include "structure/ensemble.hpp"
+#include "subject/channel_curves.hpp"
 #include "subject/clinic_json.hpp"
 #include "subject/record.hpp"
 
@@ -226,6 +227,7 @@ void FitJob::store(const FitOutcome& outcome, const std::string& argv) {
     record.statistics.push_back({"breaths_used", "1", static_cast<double>(breath->breaths_used)});
     record.statistics.push_back({"breaths_rejected", "1", static_cast<double>(breath->breaths_rejected)});
   }
+  record.channels = channel_curves(*fit_, e);
   record.input = outcome.input;
   record.notes = outcome.notes;
   add_results(outcome.results, record);

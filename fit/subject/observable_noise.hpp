@@ -4,6 +4,13 @@
 
 namespace trunk {
 
+/// The unit in which a reader is shown what a channel measures, and how many of it one SI unit is.
+struct ShownUnit {
+  const char* name;
+  double per_si;
+};
+ShownUnit shown_unit(ChannelKind kind);
+
 /// The noise of an observable, as a fit found it.
 struct ObservableNoise {
   std::string name, unit;          // "gastric pressure", "cmH2O"

@@ -119,6 +119,8 @@ inline FitRecord sample_fit() {
   fit.measured_time_s = fit.result_time_s = {0, 1, 2};
   fit.measured_m3 = {0, 4e-4, 0};
   fit.sigma_m3 = {1e-6, 1e-6, 1e-6};
+  fit.channels = {{"gastric_pressure", "cmH2O", "gastric pressure", {0, 4, 0}, {1, 1, 2}, {0.5, 3, 0}},
+                  {"emg", "1", "EMG of the diaphragm", {0, 9, 1}, {2, 2, 2}, {}}};
   fit.evaluation_names = {"k_elasticity", "k_muscle"};
   fit.evaluation_x = {3000, 20, 4000, 30};
   fit.evaluation_objective = {12.5, none};

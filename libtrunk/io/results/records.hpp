@@ -143,6 +143,14 @@ struct FitRecord {
   struct Gate {
     std::string name, sentence;
   };
+  /// What was recorded beside the volume, over the mean breath. Pressures and the excursion are changes from
+  /// end-expiration.
+  struct Channel {
+    std::string name, unit, meaning;  ///< "gastric_pressure", "cmH2O"
+    std::vector<double> measured;     ///< [Tm]
+    std::vector<double> sigma;        ///< [Tm] standard deviation over breaths
+    std::vector<double> model;  ///< [Tm] with the offset, drift or gain of the fit; empty: no model of it
+  };
   /// Whether a second search method finds the same result.
   struct CrossCheck {
     std::string first, second;  ///< the methods; empty if there is no second one
@@ -177,6 +185,7 @@ struct FitRecord {
 
   std::vector<double> measured_time_s, measured_m3;  ///< [Tm]
   std::vector<double> sigma_m3;                      ///< [Tm] or empty; standard deviation of measured_m3
+  std::vector<Channel> channels;                     ///< or empty
 
   std::vector<std::string> evaluation_names;    ///< [F], the parameters of the columns of evaluation_x
   std::vector<double> evaluation_x;             ///< [E*F], row-major, in the natural unit of each parameter

@@ -120,6 +120,19 @@ function parameters(parent, fit) {
   );
 }
 
+/** The two edges of the band of one standard deviation about a measured curve. */
+function deviations(time, values, sigma) {
+  const edge = (sign) => ({ time, values: values.map((v, i) => v + sign * sigma[i]), colour: 'band-edge', width: 0.5 });
+  return [{ ...edge(1), label: 'measured + 1 SD', band: 'band', unnamed: true }, { ...edge(-1), label: 'measured − 1 SD', unnamed: true }];
+}
+
+/** What was recorded beside the volume, and the model of it. */
+function channelChart(grid, { unit, meaning, measured, sigma, model }, time, clock) {
+  const series = [...deviations(time, measured, sigma), { label: 'measured', time, values: measured, colour: 'grey' }];
+  if (model) series.push({ label: 'model', time, values: model, colour: 'blue', style: 1 });
+  chart(grid, { title: meaning[0].toUpperCase() + meaning.slice(1), unit, series, clock, zero: true, height: 260 });
+}
+
 function curves(parent, fit, clock) {
   const { measured, result } = fit;
   const box = section(parent, 'Model against measurement');
@@ -129,18 +142,16 @@ function curves(parent, fit, clock) {
   }
   const grid = h('div', { class: 'charts' });
   box.append(grid);
-  const series = [];
-  if (measured.sigma) {
-    const edge = (sign) => ({ time: measured.time, values: measured.measured.map((v, i) => v + sign * measured.sigma[i]), colour: 'band-edge', width: 0.5 });
-    series.push({ ...edge(1), label: 'measured + 1 SD', band: 'band', unnamed: true }, { ...edge(-1), label: 'measured − 1 SD', unnamed: true });
-  }
+  const series = measured.sigma ? deviations(measured.time, measured.measured, measured.sigma) : [];
   series.push({ label: 'measured', time: measured.time, values: measured.measured, colour: 'grey' }, { label: 'model', time: result.time, values: result.dV_fit, colour: 'blue', style: 1 });
   if (result.dV_baseline) series.push({ label: 'one compartment', time: result.time, values: result.dV_baseline, colour: 'green', style: 2 });
   chart(grid, { title: 'Lung volume above end-expiration, ΔV', unit: 'ml', series, clock, zero: true, height: 260 });
   const residuals = [{ label: 'model − measured', time: result.time, values: result.residual, colour: 'orange' }];
   if (result.dV_baseline) residuals.push({ label: 'one compartment − measured', time: result.time, values: result.dV_baseline.map((v, i) => v - measured.measured[i]), colour: 'green', style: 2 });
   chart(grid, { title: 'Residual of ΔV', unit: 'ml', series: residuals, clock, zero: true, height: 260 });
+  for (const channel of fit.channels) channelChart(grid, channel, measured.time, clock);
   if (measured.sigma) box.append(note('Shaded: measured ± 1 standard deviation over the breaths.'));
+  if (fit.channels.length > 0) box.append(note('What was recorded beside the volume is its change from end-expiration. The model has the offset, the drift, or the gain and delay of an EMG that fit best.'));
   if (!result.dV_baseline) box.append(note('The curve of the one-compartment model is not in this file; its residual stands in the verdict.'));
 }
 
@@ -270,6 +281,8 @@ const PREDICTED = {
   ratio_percent: 'ratio (%)',
   excursion_right_mm: 'right dome (mm)',
   excursion_left_mm: 'left dome (mm)',
+  excursion_right_most_risen_mm: 'right dome, most risen (mm)',
+  excursion_left_most_risen_mm: 'left dome, most risen (mm)',
   delta_l_mm: 'ΔL (mm)',
   delta_h_mm: 'ΔH (mm)',
 };

@@ -68,6 +68,22 @@ TEST_CASE("A run gives the tables of its trajectory only if it has one", "[expor
   CHECK(more[5].text == "particle,region\n0,tendon\n1,7\n");
 }
 
+TEST_CASE("The breath of a fit has its channels beside the volume", "[exports]") {
+  FitRecord fit;
+  fit.measured_time_s = fit.result_time_s = {0.0, 1.0};
+  fit.measured_m3 = {0.0, 1e-4};
+  fit.channels = {{"gastric_pressure", "cmH2O", "gastric pressure", {0.0, 4.0}, {1.0, 2.0}, {0.5, 3.0}},
+                  {"emg", "1", "EMG of the diaphragm", {5.0, 6.0}, {1.0, 1.0}, {}}};
+  const auto files = csv_tables(fit);
+  const auto breath =
+      std::find_if(files.begin(), files.end(), [](const NamedText& f) { return f.name == "breath.csv"; });
+  REQUIRE(breath != files.end());
+  CHECK(breath->text ==
+        "time_s,measured_ml,gastric_pressure_measured_cmH2O,gastric_pressure_sigma_cmH2O,"
+        "gastric_pressure_fit_cmH2O,emg_measured,emg_sigma\n"
+        "0,0,0,1,0.5,5,1\n1,100,4,2,3,6,1\n");
+}
+
 TEST_CASE("A fit's likelihood surface is one row for each point, the second axis fastest", "[exports]") {
   FitRecord fit;
   fit.surface.name[0] = "k_elasticity";

@@ -111,6 +111,17 @@ TEST_CASE("The results of a fit come back with grades, limits, gates and straigh
   CHECK(back.straight[0].upper95 == 490);
   CHECK(back.straight_nrmse_percent == 2.5);
   CHECK(back.profiles[0].threshold95 == 4.5);
+  REQUIRE(back.channels.size() == 2);
+  for (const FitRecord::Channel& c : fit.channels) {
+    const auto read = std::find_if(back.channels.begin(), back.channels.end(),
+                                   [&](const FitRecord::Channel& other) { return other.name == c.name; });
+    REQUIRE(read != back.channels.end());
+    CHECK(read->unit == c.unit);
+    CHECK(read->meaning == c.meaning);
+    CHECK(read->measured == c.measured);
+    CHECK(read->sigma == c.sigma);
+    CHECK(read->model == c.model);
+  }
   const FitRecord::Draws draws = read_draws(path);
   CHECK(draws.names == fit.draws.names);
   CHECK(draws.values == fit.draws.values);

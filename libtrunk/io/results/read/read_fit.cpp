@@ -181,6 +181,26 @@ void read_problem(hid_t root, FitRecord& fit) {
     throw hdf5::Error("problem/measured has the wrong length");
 }
 
+void read_channels(hid_t root, FitRecord& fit) {
+  if (!has_link(root, "channels")) return;
+  const hdf5::Group channels = hdf5::open_group(root, "channels");
+  for (const std::string& name : hdf5::link_names(channels)) {
+    if (name == "time") continue;
+    const hdf5::Group one = hdf5::open_group(channels, name);
+    FitRecord::Channel c{name,
+                         hdf5::read_attribute(hdf5::open_dataset(one, "measured"), "units"),
+                         hdf5::read_attribute(one, "long_name"),
+                         read_doubles(one, "measured"),
+                         read_doubles(one, "sigma"),
+                         {}};
+    if (has_link(one, "model")) c.model = read_doubles(one, "model");
+    const std::size_t size = fit.measured_time_s.size();
+    if (c.measured.size() != size || c.sigma.size() != size || (!c.model.empty() && c.model.size() != size))
+      throw hdf5::Error("the curves of channels/" + name + " have the wrong length");
+    fit.channels.push_back(std::move(c));
+  }
+}
+
 }  // namespace
 
 void layout::read_estimates(hid_t root, FitRecord& fit) {
@@ -222,6 +242,7 @@ FitRecord read_fit(const std::filesystem::path& path) {
     fit.status = hdf5::read_attribute(root, "status");
     fit.message = hdf5::read_attribute(root, "message");
     read_problem(root, fit);
+    read_channels(root, fit);
     layout::read_estimates(root, fit);
     read_evaluations(root, fit);
     read_starts(root, fit);

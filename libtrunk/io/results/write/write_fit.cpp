@@ -52,6 +52,24 @@ void write_problem(hid_t root, const FitRecord& fit) {
   write_array(problem, {"bounds", "", "limits of the search, " + unit_in_table}, bounds, {parameter, bound});
 }
 
+void write_channels(hid_t root, const FitRecord& fit) {
+  if (fit.channels.empty()) return;
+  const Group channels = create_group(root, "channels");
+  const Axis time = write_axis(channels, {"time", "s", "time"}, fit.measured_time_s);
+  for (const FitRecord::Channel& c : fit.channels) {
+    const Group one = create_group(channels, c.name);
+    hdf5::write_attribute(one, "long_name", c.meaning);
+    const std::string unit = layout::file_unit(c.unit);
+    write_array(one, {"measured", unit, "measured " + c.meaning}, c.measured, {time});
+    write_array(one, {"sigma", unit, "standard deviation of measured over breaths"}, c.sigma, {time});
+    if (c.model.empty()) continue;
+    std::vector<double> residual;
+    for (std::size_t i = 0; i < c.model.size(); ++i) residual.push_back(c.model[i] - c.measured[i]);
+    write_array(one, {"model", unit, c.meaning + " of the best simulation"}, c.model, {time});
+    write_array(one, {"residual", unit, "model - measured"}, residual, {time});
+  }
+}
+
 void write_covariance(hid_t parameters, const FitRecord& fit) {
   if (fit.covariance.empty()) return;
   const Axis row = write_axis(parameters, {"covariance_row", "", "parameter"}, fit.covariance_names);
@@ -255,6 +273,7 @@ void write_fit(const std::filesystem::path& path, const FitRecord& fit) {
     hdf5::write_attribute(root, "status", fit.status);
     hdf5::write_attribute(root, "message", fit.message);
     write_problem(root, fit);
+    write_channels(root, fit);
     write_parameters(root, fit);
     write_evaluations(root, fit);
     write_starts(root, fit);
