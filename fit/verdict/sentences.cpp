@@ -48,6 +48,8 @@ std::string advice(const FitResults& results) {
 
 /// Returns the name of a result without its unit and in words; parameters keep their names.
 std::string in_words(std::string name) {
+  if (name == "excursion_right_mm") return "excursion of the right dome";
+  if (name == "excursion_left_mm") return "excursion of the left dome";
   for (const std::string_view unit : {"_cmH2O_per_L", "_cmH2O_s_per_L", "_cmH2O", "_mm", "_ml", "_s"})
     if (name.ends_with(unit)) {
       name.erase(name.size() - unit.size());
