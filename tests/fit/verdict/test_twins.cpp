@@ -3,17 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <map>
 
-#include "breaths/segment.hpp"
 #include "dynamics/breath_chain.hpp"
-#include "estimation/start.hpp"
-#include "gates/gates.hpp"
 #include "math/median.hpp"
 #include "math/units.hpp"
-#include "subject/subject_fit.hpp"
 #include "support/catch.hpp"
+#include "support/fitted_twin.hpp"
 #include "support/random.hpp"
 #include "support/trunks.hpp"
 
@@ -90,19 +85,13 @@ struct TwinsCovered {
 };
 
 void fit_twin(const Twin& twin, const TwinFamily& family, std::uint64_t seed, TwinsCovered& covered) {
-  const Segmentation segmentation = segment_breaths(recorded(twin, family, seed));
   ScenarioFile file;
   file.scenario = test::without_lung("healthy");
   file.scenario.automatic_step = true;
   FitPlan plan;
   plan.straight = true;
-  plan.estimation.profiles = false;
-  plan.estimation.surface_points = 0;
-  plan.estimation.execution.threads = 1;
-  const SubjectFit fit(file, {mean_breath(segmentation), 0.0, trace_signs(segmentation)}, plan);
-  Ledger ledger;
-  const Estimation e = fit.carry_out(ledger);
-  const FitResults results = fit.results(e);
+  const test::FittedTwin fitted(std::move(file), recorded(twin, family, seed), plan);
+  const FitResults& results = fitted.results;
   ++covered.repeats;
   const FitResult *ratio = results.find("k_muscle_over_k_elasticity"),
                   *elasticity = results.find("k_elasticity"), *recoil = results.find("recoil_time_s");
@@ -120,17 +109,11 @@ void fit_twin(const Twin& twin, const TwinFamily& family, std::uint64_t seed, Tw
   covered.bias.push_back(elasticity->value / twin.scenario.parameters.elasticity - 1.0);
 }
 
-/// Which recordings are drawn. Choices of the fit were made with those from 1000 on in view.
-std::uint64_t first_seed() {
-  const char* asked = std::getenv("TRUNK_TWINS_SEED");
-  return asked != nullptr ? std::strtoull(asked, nullptr, 10) : 1000u;
-}
-
 TwinsCovered twin_study(const TwinFamily& family, int repeats) {
-  const Twin twin;
+  const Twin twin;  // choices of the fit were made with the seeds from 1000 on in view
   TwinsCovered covered;
   for (int k = 0; k < repeats; ++k)
-    fit_twin(twin, family, first_seed() + static_cast<std::uint64_t>(k), covered);
+    fit_twin(twin, family, test::first_twin_seed(1000) + static_cast<std::uint64_t>(k), covered);
   const auto percent = [&](int count) { return 100.0 * count / covered.repeats; };
   WARN("size CV " << family.size_cv << ", timing CV " << family.timing_cv << ", period " << family.period_s
                   << " s, pause " << family.pause_s << " s: ratio " << percent(covered.ratio)
@@ -158,8 +141,7 @@ TEST_CASE("The intervals of a twin hold the truth: a slice", "[property][slow]")
 
 TEST_CASE("The intervals of twins hold the truth in 90 % of 200 recordings of each family",
           "[nightly][slow]") {
-  const char* asked = std::getenv("TRUNK_TWINS");
-  const int repeats = asked != nullptr ? std::atoi(asked) : 200;
+  const int repeats = test::twin_repeats(200);
   for (const double size_cv : {0.0, 0.1, 0.2})
     for (const double period_s : {1.9, 3.3, 5.0}) {
       const TwinsCovered c = twin_study({size_cv, 0.0, period_s, 0.0}, repeats);
