@@ -1,6 +1,7 @@
 #include "channels/check_channels.hpp"
 
 #include <fmt/format.h>
+#include <gsl/gsl_statistics_double.h>
 
 #include <algorithm>
 #include <array>
@@ -18,7 +19,7 @@ constexpr double least_swing_cmH2O = 0.05, largest_swing_cmH2O = 150;
 constexpr double least_excursion_m = 1e-3, largest_excursion_m = 0.15;
 constexpr double usual_swing_cmH2O = 8;
 constexpr double least_difference_cmH2O = 0.5, difference_of_swing = 0.1, wrong_of_swing = 0.25;
-constexpr double clear_share = 0.5;
+constexpr double clear_share = 0.5, least_apart = 0.02, against = -0.5;
 
 struct PressureUnit {
   std::string_view name;
@@ -30,6 +31,10 @@ constexpr std::array pressure_units{PressureUnit{"cmH2O", Pa_per_cmH2O}, Pressur
 double swing_of(const std::vector<double>& curve) {
   const auto [low, high] = std::minmax_element(curve.begin(), curve.end());
   return *high - *low;
+}
+
+double correlation(const std::vector<double>& a, const std::vector<double>& b) {
+  return gsl_stats_correlation(a.data(), 1, b.data(), 1, a.size());
 }
 
 std::string none_of(const MeasuredChannel& channel) {
@@ -112,6 +117,22 @@ void check_difference(const MeasuredBreath& breath, const std::string& source) {
                       : "correct the columns, or leave one of them out, as in --pdi none");
 }
 
+// A catheter may lie in the wrong place, or a column be named twice.
+void check_apart(const MeasuredBreath& breath, const std::string& source) {
+  const MeasuredChannel *gastric = breath.channel(ChannelKind::gastric),
+                        *pleural = breath.channel(ChannelKind::pleural);
+  if (gastric == nullptr || pleural == nullptr) return;
+  double squares = 0;
+  for (std::size_t i = 0; i < gastric->value.size(); ++i)
+    squares += std::pow(gastric->value[i] - pleural->value[i], 2);
+  const double apart = std::sqrt(squares / static_cast<double>(gastric->value.size()));
+  if (apart > least_apart * swing_of(pleural->value)) return;
+  throw InputError({source},
+                   fmt::format("gastric pressure {} is the same as oesophageal pressure {}",
+                               excerpt(gastric->column), excerpt(pleural->column)),
+                   "pressures above and below the diaphragm", "leave one of them out, as in --pga none");
+}
+
 void check_across_sign(const MeasuredBreath& breath, const std::string& source) {
   const MeasuredChannel* across = breath.channel(ChannelKind::transdiaphragmatic);
   if (across == nullptr) return;
@@ -136,9 +157,25 @@ void check_channels(const MeasuredBreath& breath, const std::string& source) {
   Mistakes mistakes;
   for (const MeasuredChannel& channel : breath.channels)
     mistakes.gather([&] { check_swing(channel, source); });
+  if (mistakes.empty()) mistakes.gather([&] { check_apart(breath, source); });
   if (mistakes.empty()) mistakes.gather([&] { check_difference(breath, source); });
   if (mistakes.empty()) mistakes.gather([&] { check_across_sign(breath, source); });
   mistakes.settle();
+}
+
+std::vector<std::string> doubts_about(const MeasuredBreath& breath) {
+  std::vector<std::string> doubts;
+  for (const ChannelKind kind : {ChannelKind::gastric, ChannelKind::excursion}) {
+    const MeasuredChannel* channel = breath.channel(kind);
+    if (channel == nullptr) continue;
+    const double goes_along = correlation(channel->value, breath.volume_m3);
+    if (goes_along < against)
+      doubts.push_back(
+          fmt::format("{} {} falls as the volume rises (correlation {:.2f}), as it does if the diaphragm is "
+                      "weak; if its sign is reversed, --invert-channel {} turns it",
+                      words_of(kind), excerpt(channel->column), goes_along, option_of(kind)));
+  }
+  return doubts;
 }
 
 PressureSign pressure_sign(const MeasuredBreath& breath) {

@@ -12,12 +12,18 @@ namespace trunk {
 ///
 /// * a pressure whose mean breath swings by more than 150 cmH2O, or by less than 0.05 (but airway pressure,
 ///   which may rest); an excursion of more than 150 mm or less than 1 mm; an EMG that does not change;
+/// * gastric pressure that is the same as pleural pressure: within 2 % of its swing (root of the mean
+/// square);
 /// * transdiaphragmatic pressure that is not gastric less pleural pressure: by more than 0.5 cmH2O and 10 %
 /// of
 ///   its swing (root of the mean square over the mean breath);
 /// * transdiaphragmatic pressure that falls on inspiration: its mean over inspiration is below that over
 ///   expiration by more than a quarter of its swing.
 void check_channels(const MeasuredBreath& breath, const std::string& source);
+
+/// Returns notes on channels that move as they do in health only if their sign is reversed: a gastric
+/// pressure or an excursion whose correlation with the volume is below -0.5.
+std::vector<std::string> doubts_about(const MeasuredBreath& breath);
 
 /// Which way the pressure across the lung goes with the volume.
 struct PressureSign {

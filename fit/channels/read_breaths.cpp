@@ -51,6 +51,7 @@ Segmentation breaths_of(Trace trace, const BreathSelection& selection) {
     if (sign.clear && sign.rises) s.sign = SignShownBy::pressure;
   }
   for (std::string& doubt : doubt_pressures(mean)) s.notes.push_back(std::move(doubt));
+  for (std::string& doubt : doubts_about(mean)) s.notes.push_back(std::move(doubt));
   for (const MeasuredChannel& channel : mean.channels)
     s.notes.insert(s.notes.end(), channel.notes.begin(), channel.notes.end());
   return s;

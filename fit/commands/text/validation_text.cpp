@@ -66,8 +66,8 @@ std::string breaths_text(const ValidationRun& f) {
   return text;
 }
 
-/// Returns a row of usual numbers, a row for every breath with a lung, and where the ranges come from; "" if no
-/// scenario has a lung.
+/// Returns a row of usual numbers, a row for every breath with a lung, and where the ranges come from; "" if
+/// no scenario has a lung.
 std::string pressures_text(const ValidationRun& f) {
   std::string head = fmt::format("{:<30}", "Swings, and recoil time"), sources,
               usual = fmt::format("\n{:<30}", "usual in quiet breathing"), rows;

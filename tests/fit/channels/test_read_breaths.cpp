@@ -117,6 +117,26 @@ TEST_CASE("A swing that no human has is refused by name, with the unit that woul
   CHECK_THAT(error, Contains(hint) && Contains("--poes none"));
 }
 
+TEST_CASE("One pressure cannot be both above and below the diaphragm", "[channels]") {
+  Trace trace = recorded({});
+  std::vector<double>& gastric = trace.channels[1].value;
+  gastric = trace.channels[0].value;
+  for (double& v : gastric) v += 900.0;  // another level says nothing
+  CHECK_THAT(refusal_of(trace),
+             Contains("'pga' is the same as oesophageal pressure 'poes'") && Contains("--pga none"));
+  for (double& v : gastric) v *= 1.2;
+  CHECK(refusal_of(trace).empty());
+}
+
+TEST_CASE("A gastric pressure that falls on inspiration is named, and may be so", "[channels]") {
+  Trace trace = recorded({});
+  CHECK_FALSE(noted(breaths_of(trace), "gastric pressure"));
+  turn(trace.channels[1].value);
+  const Segmentation s = breaths_of(trace);
+  CHECK(noted(s, "gastric pressure 'pga' falls as the volume rises (correlation -"));
+  CHECK(noted(s, "--invert-channel pga turns it"));
+}
+
 TEST_CASE("Transdiaphragmatic pressure must be gastric less pleural pressure", "[channels]") {
   Trace trace = recorded({});
   trace.channels.push_back(across(trace));
