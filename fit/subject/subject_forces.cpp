@@ -25,7 +25,8 @@ PiecewiseLinear repeating(const std::vector<double>& time_s, const MeasuredChann
 }  // namespace
 
 /// Gives the trunk what its recording needs: the pressure of the airway where that was recorded, and a lung
-/// where pressures in the chest or the airway were. => scenario, notes
+/// where pressures in the chest or the airway were, or where the scenario has an airway alone. => scenario,
+/// notes
 void SubjectFit::give_lung() {
   Scenario& s = file_.scenario;
   const MeasuredBreath& breath = *measurement_.breath;
@@ -33,18 +34,19 @@ void SubjectFit::give_lung() {
   const bool needed = airway != nullptr || breath.channel(ChannelKind::pleural) != nullptr ||
                       breath.channel(ChannelKind::transdiaphragmatic) != nullptr;
   if (airway != nullptr) s.pleura.airway_pressure = repeating(breath.time_s, *airway);
-  if (!needed || s.lung_acts) return;
+  if (s.lung_acts ? s.parameters.lung_elastance > 0.0 : !needed) return;
   s.lung_acts = true;
   for (const ScalePrior& prior : scale_priors(s.parameters, true)) {
     if (prior.name == abdominal_elastance_prior) continue;
     const FreeParameter& p = free_parameter(prior.name);
-    if (!p.of_lung) continue;
     Candidate c{s.parameters, s.activation};
+    if (!p.of_lung || value_of(p, c) > 0.0) continue;
     set_value(p, prior.mean, c);
     s.parameters = c.parameters;
   }
   screening_.notes.push_back(
-      "the scenario has no lung, and a pressure in the chest needs one: the usual lung and airway are taken "
+      "the scenario has no lung, and a pressure in the chest or the airway needs one: the usual lung is "
+      "taken "
       "([lung] in the scenario gives others)");
 }
 

@@ -5,7 +5,8 @@ import math
 import unittest
 from csv import DictReader
 
-from support import FAST_FIT, HEALTHY, TrunkTest, shared_file
+from report_page import ReportPage
+from support import FAST_FIT, HEALTHY, SCENARIOS, TrunkTest, shared_file
 
 FITTED = (0, 4)
 E, R, VT, TI, TAU, PERIOD = 5.0, 2.5, 0.5, 1.6, 0.4, 4.0  # cmH2O/L, cmH2O s/L, L, s
@@ -135,7 +136,41 @@ class Fit(TrunkTest):
             for row, stored in zip(fit["breaths"], file["breaths/work_of_breathing_J_per_L"][()]):
                 self.assertEqual(row["work_of_breathing_J_per_L"], stored)
             self.assertEqual(file["breaths/work_of_breathing_J_per_L"].attrs["units"], b"J L-1")
+            self.assert_channels_are_stored(file)
+        self.succeeds("export", "f.h5", "--csv", "tables")
+        with open(self.folder / "tables" / "breath.csv", encoding="utf-8", newline="") as table:
+            rows = list(DictReader(table))
+        for name in ("oesophageal", "gastric"):
+            swing = [float(row[f"{name}_pressure_measured_cmH2O"]) for row in rows]
+            off = [float(row[f"{name}_pressure_fit_cmH2O"]) - v for row, v in zip(rows, swing)]
+            rms = math.sqrt(sum(v * v for v in off) / len(off))
+            self.assertLess(rms, 0.1 * (max(swing) - min(swing)))
+        self.trunk("report", "f.h5", "-o", "f.html")
+        shown = ReportPage(self.folder / "f.html").files[0]["fit"]["channels"]
+        self.assertEqual([(c["meaning"], c["unit"]) for c in shown],
+                         [("oesophageal pressure", "cmH2O"), ("gastric pressure", "cmH2O")])
+        for channel in shown:
+            self.assertEqual({len(channel[curve]) for curve in ("measured", "sigma", "model")}, {len(rows)})
         self.assertIn("inspiratory work of breathing", self.trunk("fit", HEALTHY, "--trace", "t.csv", "-o", "g.h5", *FAST_FIT).out)
+
+    def assert_channels_are_stored(self, file):
+        """The mean breath of both pressures: closed forms, and a model that was fitted to them."""
+        time, channels = file["problem/time"][()], file["channels"]
+        self.assertEqual(set(channels) - {"time"}, {"gastric_pressure", "oesophageal_pressure"})
+        for name, top in (("gastric_pressure", 8 * VT), ("oesophageal_pressure", -E * VT)):
+            of = channels[name]
+            self.assertEqual(of["measured"].attrs["units"], b"cmH2O")
+            self.assertEqual(of["measured"].shape, time.shape)
+            at_peak = file["problem/measured"][()].argmax()
+            self.assertAlmostEqual(of["measured"][at_peak], top, delta=0.05 * abs(top))
+            self.assertTrue((of["sigma"][()] > 0).all())
+            self.assertAlmostEqual(abs(of["residual"][()] - (of["model"][()] - of["measured"][()])).max(), 0, delta=1e-9)
+
+    def test_a_lung_that_is_not_there_is_named(self):
+        for options in (("--free", "lung_elastance"), ("--fix", "resistance=3")):
+            with self.subTest(options[0]):
+                self.refused("fit", SCENARIOS / "published_healthy.toml", "--tidal-volume-ml", "440", *options, "-o", "f.h5",
+                             says=(f"{options[0]} {options[1].split('=')[0]}: the scenario has no lung", r"table \[lung\]"))
 
     def test_breath_by_breath(self):
         self.file("t.csv", lung())

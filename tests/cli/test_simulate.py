@@ -45,7 +45,19 @@ class ShippedScenarios(TrunkTest):
                 bound = 1e-13 if name.startswith("published") else 1e-9
                 self.assertLessEqual(run["max_relative_volume_error"], bound)
                 self.assertGreater(run["delta_v_ml"], 100)
-                self.assertTrue((self.folder / f"{name}.h5").is_file())
+                self.assert_pressures_are_named(run, self.folder / f"{name}.h5")
+
+    def assert_pressures_are_named(self, run, path):
+        """Every scenario has all names; without a lung there is no pleural pressure."""
+        with h5py.File(path) as file:
+            lung, stored = "curves/pleural_pressure" in file, set(file["measures"])
+        for name in ("gastric_swing_cmH2O", "excursion_right_most_risen_mm", "excursion_left_most_risen_mm", "recoil_time_s"):
+            self.assertIsNotNone(run[name], name)
+            self.assertIn(name, stored)
+        self.assertLessEqual(run["excursion_right_most_risen_mm"], min(0, run["excursion_right_mm"]) + 1e-9)
+        self.assertGreater(run["recoil_time_s"], 0)
+        for name in ("pleural_swing_cmH2O", "transdiaphragmatic_swing_cmH2O"):
+            self.assertEqual((run[name] is not None, name in stored), (lung, lung), name)
 
     def test_fitted_scenarios_reach_the_volume_they_name(self):
         for name, volume in (("published_healthy", 438), ("exercise_healthy", 1200)):

@@ -39,10 +39,28 @@ class Validate(TrunkTest):
         for ours in (3, 4):
             self.assertAlmostEqual(report["rows"][ours]["delta_v_ml"], 466, delta=4.66)
         self.assertEqual(len(report["breaths"]), 7)
+        for breath in report["breaths"]:
+            self.assertLessEqual(breath["excursion_right_most_risen_mm"], min(0, breath["excursion_right_mm"]) + 1e-9)
+            if breath["scenario"].startswith("published"):
+                self.assertEqual(breath["start"], "rest")
+        self.assert_pressures_are_told(report)
         self.assertTrue(all(breath["status"] == "completed" for breath in report["breaths"]))
         self.assert_bounds_are_judged(report["bounds"])
         self.assertTrue(all(bound["pass"] for bound in report["bounds"]))
         self.assertEqual(self.contents(), before)
+
+    def assert_pressures_are_told(self, report):
+        """Of the scenarios with a lung, with a range and its source for each number."""
+        names = [usual["name"] for usual in report["usual"]]
+        self.assertEqual(names, ["gastric_swing_cmH2O", "pleural_swing_cmH2O", "transdiaphragmatic_swing_cmH2O",
+                                 "recoil_time_s"])
+        self.assertTrue(all(usual["source"] and usual["low"] < usual["high"] for usual in report["usual"]))
+        judged = {bound["name"] for bound in report["bounds"]}
+        for row in report["pressures"]:
+            self.assertFalse(row["scenario"].startswith("published"))
+            self.assertTrue(all(row[name] is not None for name in names))
+            if row["scenario"] == "healthy":
+                self.assertLessEqual({f"healthy.{name}" for name in names}, judged)
 
     def assert_bounds_are_judged(self, bounds):
         self.assertGreaterEqual(len(bounds), 20)
