@@ -1,7 +1,8 @@
 // Names, units and numbers as people write them.
 
-const units = { 'N m-1': 'N/m', 'N s m-1': 'N s/m', percent: '%', 1: '', cmH2O: 'cmH₂O', 'm s-1': 'm/s' };
-export const unitText = (unit) => units[unit] ?? unit ?? '';
+/** A unit of UDUNITS as people write it: 'cmH2O s L-1' is cmH₂O s/L. */
+const units = { percent: '%', 1: '' };
+export const unitText = (unit) => units[unit] ?? (unit ?? '').replace(/ (\S+)-1$/, '/$1').replaceAll('cmH2O', 'cmH₂O');
 export const withUnit = (name, unit) => (unitText(unit) ? `${name} (${unitText(unit)})` : name);
 
 const names = {
@@ -24,6 +25,27 @@ const names = {
   transdiaphragmatic_swing_cmH2O: 'swing of the transdiaphragmatic pressure',
   excursion_right_most_risen_mm: 'right dome, where it is most risen',
   excursion_left_most_risen_mm: 'left dome, where it is most risen',
+  abdominal_elastance_cmH2O_per_L: 'abdominal elastance',
+  lung_elastance_cmH2O_per_L: 'lung elastance',
+  respiratory_elastance_cmH2O_per_L: 'respiratory elastance',
+  resistance_cmH2O_s_per_L: 'resistance of airway and lung',
+  intrinsic_peep_cmH2O: 'intrinsic PEEP',
+  work_of_breathing_J_per_L: 'inspiratory work of breathing, a litre',
+  work_of_breathing_J_per_min: 'inspiratory work of breathing, a minute',
+  elastic_work_J_per_L: 'elastic work, a litre',
+  resistive_work_J_per_L: 'resistive work, a litre',
+  intrinsic_peep_work_J_per_L: 'work against intrinsic PEEP, a litre',
+  chest_wall_work_J_per_L: 'work on the chest wall, a litre',
+  expiratory_resistive_work_J_per_L: 'expiratory resistive work, a litre',
+  pressure_time_product_pleural_cmH2O_s: 'pressure–time product, pleural, a breath',
+  pressure_time_product_pleural_cmH2O_s_per_min: 'pressure–time product, pleural, a minute',
+  pressure_time_product_transdiaphragmatic_cmH2O_s: 'pressure–time product, transdiaphragmatic, a breath',
+  pressure_time_product_transdiaphragmatic_cmH2O_s_per_min: 'pressure–time product, transdiaphragmatic, a minute',
+  tension_time_index: 'tension–time index',
+  tension_time_cmH2O: 'tension–time product, not divided by the maximum',
+  dynamic_lung_compliance_ml_per_cmH2O: 'dynamic lung compliance',
+  dynamic_lung_elastance_cmH2O_per_L: 'dynamic lung elastance',
+  lung_resistance_cmH2O_s_per_L: 'lung resistance',
   r_ei: 'muscle against recoil at end-inspiration',
   recoil_time_s: 'recoil time',
   k_muscle_over_k_elasticity: 'muscle stiffness over tissue stiffness',
@@ -54,7 +76,7 @@ export const nameText = (name) => names[name] ?? name;
 /** Short: for axes and heads of tables. */
 export function shortName(name) {
   const bare = name.replace(/^parameters\./, '').replaceAll('.', ' ');
-  return bare.replace(/_(N_per_m|N_s_per_m|ml|mm|percent|cmH2O|s|ms|deg|kg|m_s2)$/, '').replace(/(?<!^k)_/g, ' ');
+  return bare.replace(/_(N_per_m|N_s_per_m|ml|mm|percent|cmH2O|cmH2O_per_L|cmH2O_s(_per_(L|min))?|J_per_(L|min)|ml_per_cmH2O|s|ms|deg|kg|m_s2)$/, '').replace(/(?<!^k)_/g, ' ');
 }
 
 export const words = (name) => name.replaceAll('_', ' ');
