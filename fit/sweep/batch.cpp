@@ -38,6 +38,19 @@ std::vector<double> numbers_of(const std::vector<NamedValue>& values) {
   return numbers;
 }
 
+/// Returns those of a file's measures that a row has, in its order: a file may hold more.
+std::vector<double> measures_of_row(const std::vector<NamedValue>& stored) {
+  const auto find = [&](const std::string& name) {
+    return std::find_if(stored.begin(), stored.end(), [&](const NamedValue& v) { return v.name == name; });
+  };
+  BreathSummary breath;
+  if (find("pleural_swing_cmH2O") != stored.end()) breath.swings.emplace();
+  std::vector<double> numbers;
+  for (const NamedValue& m : measures_of(breath))
+    numbers.push_back(find(m.name) == stored.end() ? m.value : find(m.name)->value);
+  return numbers;
+}
+
 /// Returns the intervals of a run's measures. `draws` are the breaths of the subject's draws.
 std::vector<NamedValue> intervals_of(const BreathSummary& breath, std::span<const BreathSummary> draws) {
   if (draws.empty()) return {};
@@ -173,7 +186,7 @@ SweepRow row_of(std::size_t run, const StoredRun& s) {
           s.status == "completed" ? "" : s.message,
           now_s(),
           true,
-          numbers_of(s.measures),
+          measures_of_row(s.measures),
           thinned(s.curve_dV_ml, 1.0, [&](std::size_t i) { return s.curve_time_s[i]; }),
           numbers_of(s.intervals)};
 }
