@@ -30,17 +30,14 @@ std::vector<Recovered> pressure_study(bool pressures, int repeats) {
   return all;
 }
 
-}  // namespace
-
-TEST_CASE("Breaths of a ventilator need no muscle once the pressure of the airway is known",
-          "[property][slow]") {
+/// Fits breaths of a trunk whose muscle rests, which a pressure in the airway drives, Pa over 3.5 s. The fit
+/// knows that pressure, and no other.
+void check_passive(const PiecewiseLinear& airway_Pa) {
   Scenario s = quiet_twin();
   s.time.duration_s = 3.5;
   s.time.dt_s = 2e-3;
   s.parameters.muscle = 0.0;
-  const double top_Pa = 14.0 * Pa_per_cmH2O, peep_Pa = 5.0 * Pa_per_cmH2O;
-  s.pleura.airway_pressure = PiecewiseLinear(
-      {{0.0, peep_Pa}, {0.08, top_Pa}, {1.2, top_Pa}, {1.3, peep_Pa}, {3.5, peep_Pa}}, peep_Pa);
+  s.pleura.airway_pressure = airway_Pa;
   const Trunk trunk = make_trunk(s);
   const VolumeCurve breath = simulate_volume(trunk, s.parameters, s.activation, s.time);
   REQUIRE(breath.ending.completed());
@@ -63,7 +60,7 @@ TEST_CASE("Breaths of a ventilator need no muscle once the pressure of the airwa
                      [](const Gate& gate) { return gate.name == "machine_driven"; }));
   const FitResult &muscle = *results.find("k_muscle"),
                   &respiratory = *results.find("respiratory_elastance_cmH2O_per_L");
-  const double elastance = recoil_of(trunk, s.parameters).elastance * s.parameters.elasticity,
+  const double elastance = test::recoil_of(trunk, s.parameters).elastance * s.parameters.elasticity,
                truth = (elastance + s.parameters.lung_elastance) / cmH2O_per_L;
   CAPTURE(muscle.value, muscle.lower95, muscle.upper95, respiratory.value, respiratory.lower95,
           respiratory.upper95, truth, e.quality.nrmse, e.simulations, e.search.stop_reason);
@@ -75,6 +72,29 @@ TEST_CASE("Breaths of a ventilator need no muscle once the pressure of the airwa
   CHECK(respiratory.lower95 <= truth);
   CHECK(truth <= respiratory.upper95);
   CHECK(respiratory.value == Approx(truth).epsilon(0.1));
+}
+
+}  // namespace
+
+TEST_CASE("Breaths of a ventilator need no muscle once the pressure of the airway is known",
+          "[property][slow]") {
+  const double top_Pa = 14.0 * Pa_per_cmH2O, peep_Pa = 5.0 * Pa_per_cmH2O;
+  check_passive(PiecewiseLinear(
+      {{0.0, peep_Pa}, {0.08, top_Pa}, {1.2, top_Pa}, {1.3, peep_Pa}, {3.5, peep_Pa}}, peep_Pa));
+}
+
+TEST_CASE("Passive volume control needs no muscle once the pressure of the airway is known",
+          "[nightly][slow]") {
+  // A constant flow of 0.4 L/s takes a step of R V' and then a ramp of E V, and a hold shows E V alone.
+  const double peep_Pa = 5.0 * Pa_per_cmH2O, step_Pa = 1.5 * Pa_per_cmH2O, ramp_Pa = 7.0 * Pa_per_cmH2O;
+  check_passive(PiecewiseLinear({{0.0, peep_Pa},
+                                 {0.08, peep_Pa + step_Pa},
+                                 {1.2, peep_Pa + step_Pa + ramp_Pa},
+                                 {1.28, peep_Pa + ramp_Pa},
+                                 {1.5, peep_Pa + ramp_Pa},
+                                 {1.6, peep_Pa},
+                                 {3.5, peep_Pa}},
+                                peep_Pa));
 }
 
 TEST_CASE("Pressures beside the volume give the forces of a twin: a slice", "[property][slow]") {
