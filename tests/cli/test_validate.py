@@ -75,7 +75,7 @@ class Validate(TrunkTest):
         self.assertEqual((shown.code, shown.err), (0, ""))
         self.assertRegex(shown.out, r"(?m)^experiment +4760\.0 +5226\.0 +466\.0 +9\.78 +9\.13 +6\.13 +2\.00 +0\.00$")
         self.assertRegex(shown.out, r"(?m)^published model .* \+565\.00 +\+8\.80$")
-        self.assertIn("All 25 bounds hold.", shown.out)
+        self.assertIn("All 29 bounds hold.", shown.out)
         self.assertNotIn("FAILS", shown.out)
 
     def test_half_the_muscle_fails(self):
