@@ -2,7 +2,7 @@
 """Simulates the scenario stored in a run file a second time, by an implementation that shares no code with
 libtrunk, and prints how far the two are apart. Exit code 0: within the tolerance, 1: not, 2: no such run.
 
-    build/trunk simulate scenarios/healthy.toml -o healthy.h5
+    build/trunk simulate scenarios/healthy.toml --set time.start=rest -o healthy.h5
     reference/oracle.py healthy.h5
 
 The rest shape is the first frame. A run whose breathing repeats does not begin at rest: --rest names one that does.

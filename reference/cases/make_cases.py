@@ -22,7 +22,7 @@ def breath(trunk, settings, duration_s):
     with tempfile.TemporaryDirectory() as folder:
         run = Path(folder) / "run.h5"
         options = [part for setting in settings for part in ("--set", setting)]
-        subprocess.run([trunk, "simulate", SCENARIOS / "healthy.toml", "-o", run, "--set",
+        subprocess.run([trunk, "simulate", SCENARIOS / "healthy_no_lung.toml", "-o", run, "--set",
                         f"time.duration_s={duration_s}", *options, "--json"], check=True, capture_output=True)
         import h5py
         with h5py.File(run) as file:

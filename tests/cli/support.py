@@ -18,10 +18,12 @@ NIGHTLY = "TRUNK_NIGHTLY" in os.environ  # scripts/nightly sets it; see tests/CM
 PROGRAM = os.environ.get("TRUNK", str(ROOT / "build" / "trunk"))
 SHARED = Path(os.environ.get("TRUNK_SHARED", ROOT.parent / "shared"))
 HEALTHY = str(SCENARIOS / "healthy.toml")
+NO_LUNG = str(SCENARIOS / "healthy_no_lung.toml")
 LIMIT_S = 180  # nothing here may hang, sanitized and beside other work
 
+AT_REST = ("--set", "time.start=rest")  # the default's breathing repeats
 # Coarse steps and a short breath: for tests of the program, not of the physics.
-COARSE = ("--set", "time.dt_ms=3", "--set", "time.duration_s=0.3")
+COARSE = ("--set", "time.dt_ms=3", "--set", "time.duration_s=0.3", *AT_REST)
 FAST_FIT = ("--set", "time.dt_ms=3")
 SHORT_BREATH = {"dt_ms": 3, "duration_s": 0.8, "rise_s": 0.4, "fast_fall_s": 0.1, "slow_fall_s": 0.3}
 

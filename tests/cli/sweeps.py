@@ -6,6 +6,7 @@ import io
 from support import HEALTHY, TrunkTest, catches, start
 
 GRID = '"time.dt_ms" = [3]\n"time.duration_s" = [0.3]\n'
+OF_GRID = ("--set", "time.dt_ms=3", "--set", "time.duration_s=0.3")  # of a run alone
 SLOW_GRID = '"time.dt_ms" = [0.01]\n"time.duration_s" = [0.3]\n'  # 30,000 steps: no machine does them in a millisecond
 
 

@@ -3,7 +3,7 @@
 import json
 import unittest
 
-from support import HEALTHY, ROOT, TrunkTest
+from support import NO_LUNG, ROOT, TrunkTest
 
 CASES = ROOT / "reference" / "cases"
 
@@ -13,7 +13,7 @@ class Cases(TrunkTest):
         for case in json.loads((CASES / "cases.json").read_text())["cases"]:
             with self.subTest(case["name"]):
                 expected = case["expected"]
-                fit = self.succeeds("fit", HEALTHY, "--trace", CASES / case["trace"], "-o", "f.h5", "--force",
+                fit = self.succeeds("fit", NO_LUNG, "--trace", CASES / case["trace"], "-o", "f.h5", "--force",
                                     "--set", "time.dt_ms=2", "--surface", "0", *case["options"], codes=(expected["exit"],))
                 self.assertEqual(fit["grade"], expected["grade"])
                 truth = {**case["truth"], "ratio": case["truth"]["k_muscle"] / case["truth"]["k_elasticity"]}

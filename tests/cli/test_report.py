@@ -6,7 +6,7 @@ import re
 import unittest
 from json import loads
 
-from support import COARSE, FAST_FIT, HEALTHY, ROOT, SCENARIOS, TrunkTest, scenario_with, trace
+from support import AT_REST, COARSE, FAST_FIT, HEALTHY, ROOT, SCENARIOS, TrunkTest, scenario_with, trace
 
 try:
     import h5py
@@ -139,7 +139,7 @@ class Run(ReportTest):
         """Its beginning is shown, within a box around the trunk; what has no number is null."""
         own = self.file("own.toml", f'extends = "{HEALTHY}"\n[[force]]\nregion = "central_tendon"\n'
                                     "direction = [0, 0, 1]\nevents_N = [[0, 0], [0.1, 100000]]\n")
-        self.succeeds("simulate", own, "-o", "r.h5", codes=(3,))
+        self.succeeds("simulate", own, "-o", "r.h5", *AT_REST, codes=(3,))
         run = self.report("r.h5").files[0]["run"]
         self.assertIn(run["status"], ("diverged", "volume_lost"))
         self.assertIsNone(named(run["measures"], "delta_v_ml")["value"])

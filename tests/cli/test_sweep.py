@@ -6,8 +6,8 @@ import unittest
 
 import h5py
 
-from support import COARSE, HEALTHY, SCENARIOS, SHORT_BREATH, Outcome, scenario_with, start
-from sweeps import GRID, SLOW_GRID, SweepTest
+from support import COARSE, HEALTHY, NO_LUNG, SCENARIOS, SHORT_BREATH, Outcome, scenario_with, start
+from sweeps import GRID, OF_GRID, SLOW_GRID, SweepTest
 
 
 class Resume(SweepTest):
@@ -84,19 +84,17 @@ class Results(SweepTest):
 
     def test_a_row_is_the_run_alone(self):
         self.succeeds("sweep", self.muscles(3), "-o", "d")
-        alone = self.succeeds("simulate", HEALTHY, "-o", "r.h5", "--set", "parameters.k_muscle_N_per_m=35",
-                              "--set", "time.dt_ms=3", "--set", "time.duration_s=0.3")
+        alone = self.succeeds("simulate", HEALTHY, "-o", "r.h5", "--set", "parameters.k_muscle_N_per_m=35", *OF_GRID)
         for name in ("delta_v_ml", "excursion_left_mm", "abdominal_pressure_peak_cmH2O"):
             self.assertEqual(float(self.rows()[1][name]), alone[name])
 
     def test_lungs_side_by_side(self):
-        short = ("--set", "time.dt_ms=3", "--set", "time.duration_s=0.3")
-        self.succeeds("sweep", self.design('"lung.elastance_cmH2O_per_L" = [0, 5, 10, 15]\n"time.dt_ms" = [3]\n'
-                                           '"time.duration_s" = [0.3]\n'), "-o", "d")
-        alone = self.succeeds("simulate", HEALTHY, "-o", "r.h5", "--set", "lung.elastance_cmH2O_per_L=10", *short)
+        self.succeeds("sweep", self.design('"lung.elastance_cmH2O_per_L" = [0, 5, 10, 15]\n' + GRID, scenarios=(NO_LUNG,)),
+                      "-o", "d")
+        alone = self.succeeds("simulate", NO_LUNG, "-o", "r.h5", "--set", "lung.elastance_cmH2O_per_L=10", *COARSE)
         for name in ("delta_v_ml", "pleural_swing_cmH2O", "transdiaphragmatic_swing_cmH2O"):
             self.assertEqual(float(self.rows()[2][name]), alone[name])
-        none = self.succeeds("simulate", SCENARIOS / "published_healthy.toml", "-o", "none.h5", *short)
+        none = self.succeeds("simulate", NO_LUNG, "-o", "none.h5", *COARSE)
         self.assertIsNone(none["pleural_swing_cmH2O"])
 
     def test_two_sweeps_are_the_same_files(self):
@@ -143,7 +141,7 @@ class Results(SweepTest):
                 self.assertIn(f"Table in d/table.csv{says} d/sweep.h5\n", self.trunk(*command).out)
 
     def test_an_impossible_run_does_not_stop_the_others(self):
-        design = self.design('"time.dt_ms" = [2, 20, 3]\n"time.duration_s" = [0.3]\n')
+        design = self.design(GRID.replace("[3]", "[2, 20, 3]"), scenarios=(NO_LUNG,))
         outcome = self.trunk("sweep", design, "-o", "d", "--json")
         self.assertEqual(outcome.code, 3, str(outcome))
         self.assertEqual(outcome.json()["failed"], 1)
@@ -159,8 +157,8 @@ class Results(SweepTest):
 class Limits(SweepTest):
     def test_a_run_that_takes_too_long_stops_no_other(self):
         # A millisecond of work beside minutes of it: the time between them is what any machine needs.
-        design = self.design('"time.dt_ms" = [3, 0.0001]\n"time.duration_s" = [0.3]\n'
-                             '"parameters.k_muscle_N_per_m" = [10, 20]\n', top='store = "curves"')
+        design = self.design(GRID.replace("[3]", "[3, 0.0001]") + '"parameters.k_muscle_N_per_m" = [10, 20]\n',
+                             scenarios=(NO_LUNG,), top='store = "curves"')
         outcome = self.succeeds("sweep", design, "-o", "d", "--timeout", "1.5", codes=(3,))
         self.assertEqual((outcome["runs"], outcome["failed"]), (4, 2))
         self.assertEqual({(r["time.dt_ms"], r["status"]) for r in self.rows()},
@@ -232,7 +230,7 @@ class Subjects(SweepTest):
         self.assertEqual([(r["scenario"], r["subject"]) for r in self.rows()],
                          [(s, f"{x}.h5") for s in ("healthy", "hemiparalysis_right") for x in "ab"])
         alone = self.succeeds("simulate", SCENARIOS / "hemiparalysis_right.toml", "-o", "r.h5", "--from", "b.h5",
-                              *COARSE)
+                              *OF_GRID)
         self.assertEqual(float(self.rows()[3]["delta_v_ml"]), alone["delta_v_ml"])
         with h5py.File(self.folder / "d/sweep.h5") as file:
             self.assertEqual([s.decode() for s in file["table/subject"][:2]], ["a.h5", "b.h5"])
