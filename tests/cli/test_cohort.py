@@ -152,7 +152,7 @@ class Cohort(TrunkTest):
         self.file("in/b.csv", csv(times, [1.3 * v if 3.0 <= t < 4.5 else v for t, v in zip(times, volumes)], "Zeit [s],V [ml]"))
         self.file("in/soft.toml", f'extends = "{HEALTHY}"\n[parameters]\nk_elasticity_N_per_m = 3000\n')
         self.list("subject;trace;scenario;breath;fix;time;signal\n"
-                  "A;a.csv;;;k_elasticity=2500 damping=10;;\nB;b.csv;soft.toml;3;;Zeit [s];V [ml]\n")
+                  "A;a.csv;;;k_elasticity=2500 damping=10;;\nB;b.csv;soft.toml;3;damping=20;Zeit [s];V [ml]\n")
         self.cohort("--free", "k_muscle", options_for_all=QUICK)
         rows = self.rows()
         self.assertAlmostEqual(float(rows["B"]["tidal_volume_measured_ml"]), 650, delta=7)

@@ -3,7 +3,7 @@
 import shutil
 import unittest
 
-from support import COARSE, FAST_FIT, HEALTHY, SCENARIOS, SHORT_BREATH, TrunkTest, scenario_with, trace
+from support import COARSE, FAST_FIT, HEALTHY, NO_LUNG, SCENARIOS, SHORT_BREATH, TrunkTest, scenario_with, trace
 
 try:
     import h5py
@@ -11,7 +11,8 @@ try:
 except ImportError as missing:
     raise unittest.SkipTest(f"{missing}: apt install python3-h5py")
 
-LOADED = f"""extends = "{HEALTHY}"
+# Without a lung: that would act on the free part.
+LOADED = f"""extends = "{NO_LUNG}"
 gravity_m_s2 = [0, 0.5, 0]
 abdominal_volume_fraction = [[0, 1], [1, 0.99]]
 

@@ -170,7 +170,6 @@ class Prediction(TrunkTest):
         self.assert_intervals_are_of_the_draws(results, {"recoil_time_s": recoil} | {
             name: values[name] for name in ("k_muscle_over_k_elasticity", "k_elasticity", "k_muscle")})
 
-    @at_night
     def test_draws_of_a_trunk_with_a_lung_have_the_intervals_of_the_fit(self):
         results, values = self.drawn(HEALTHY)
         self.assert_intervals_are_of_the_draws(results, {
