@@ -1,5 +1,6 @@
 """trunk fit: what it finds, its options, what it writes and when it writes nothing."""
 
+import random
 import re
 import unittest
 
@@ -38,6 +39,36 @@ class RealTrace(TrunkTest):
             self.assertTrue(0 < estimate["lower95"] < estimate["value"] < estimate["upper95"])
         self.assertAlmostEqual(fit["ratio"]["value"], fit["parameters"]["k_muscle"]["value"]
                                / fit["parameters"]["k_elasticity"]["value"], delta=1e-9)
+
+
+class Contract(TrunkTest):
+    """What a default fit promises, on the default trunk."""
+
+    def fit(self, file, *options):
+        fit = self.succeeds("fit", HEALTHY, "--trace", file, "-o", "f.h5", "--force", "--surface", "0", *options)
+        self.assertEqual((fit["grade"], fit["gates"]), ("assumption", []))
+        return fit["results"]
+
+    def test_twice_the_damping_to_begin_with_changes_nothing(self):
+        once, twice = (self.fit(ROOT / "reference/canterbury_subject03.csv", "--set", f"parameters.damping_N_s_per_m={damping}")
+                       for damping in (14.5, 29))
+        self.assertEqual(list(once), list(twice))
+        for name, result in once.items():
+            self.assertAlmostEqual(twice[name]["value"] / result["value"], 1, delta=0.01, msg=name)
+            self.assertEqual(twice[name]["grade"], result["grade"], name)
+
+    def test_odd_and_even_breaths_overlap(self):
+        rng = random.Random(1)
+        times, volumes = breaths(count=16, period_s=4, inspiration_s=1.6, tau_s=0.35, rate_hz=50)
+        found = []
+        for first in (0, 1):
+            sizes = [rng.gauss(1, 0.1) for _ in range(8)]
+            joined = [size * v for k, size in enumerate(sizes) for v in volumes[200 * (2 * k + first):200 * (2 * k + first + 1)]]
+            self.file("half.csv", csv(times[:len(joined) + 1], joined + [0.0]))
+            found.append(self.fit("half.csv"))
+        for name, odd in found[0].items():
+            even = found[1][name]
+            self.assertLess(max(odd["lower95"], even["lower95"]), min(odd["upper95"], even["upper95"]), name)
 
 
 class OnePosterior(TrunkTest):
