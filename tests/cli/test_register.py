@@ -106,7 +106,7 @@ class Register(TrunkTest):
         self.refused(*good, "-o", "me.pml", "--lower-border", "here", says="lower-border")
         self.refused("register", str(SCENARIOS / "craighero.toml"), *good[1:], "-o", "me.pml", "--resolution", "2",
                      says="--resolution")
-        stick = "".join(f"v {x} {y} {z}\n" for x in (0, 300) for y in (0, 5) for z in (0, 5))
+        stick = "".join(f"v {x} {y} {z}\n" for x in (0, 300) for y in (0, 8) for z in (0, 8))
         faces = "1 2 4 3 5 7 8 6 1 5 6 2 3 4 8 7 1 3 7 5 2 6 8 4".split()
         stick += "".join("f " + " ".join(faces[4 * k:4 * k + 4]) + "\n" for k in range(6))
         outcome = self.trunk("register", "--lungs", self.file("stick.obj", stick), "--axes", "RAS", "-o", "stick.pml")
