@@ -14,7 +14,7 @@ namespace {
 
 constexpr double small_m3 = 150e-6, slow_s = 2.5;
 constexpr double beyond_lungs_m3 = 12e-3, drifting = 0.5;
-constexpr double outer_part = 0.05, breaths_of_piece = 1.5, change_of_size = 8;
+constexpr double outer_part = 0.05, breaths_of_piece = 1.5, change_of_size = 6;
 constexpr std::size_t shortest = 2;
 
 std::string little_air(double tidal_volume_m3, double period_s) {

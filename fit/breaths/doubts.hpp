@@ -20,7 +20,7 @@ std::vector<std::string> doubts(const Trace& trace, const std::vector<double>& t
                                 const std::vector<double>& volume_m3, bool calibrated, double tidal_volume_m3,
                                 double period_s);
 
-/// Returns a sentence about a volume that is 8 times as large in one part of the recording as in the rest,
+/// Returns a sentence about a volume that is 6 times as large in one part of the recording as in the rest,
 /// before or after: its unit may have changed; or "". Its size is the range from the 5th to the 95th
 /// percentile about a line, in each piece of 1.5 breaths; both parts last two pieces at least, and one may
 /// lie between them (our choice).

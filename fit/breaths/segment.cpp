@@ -124,12 +124,17 @@ void judge(Segmentation& result, const std::vector<double>& shifts, const Breath
   overrule(result.breaths, selection, result.source);
 }
 
+std::vector<Breath> kept_of(const std::vector<Breath>& breaths) {
+  std::vector<Breath> kept;
+  for (const Breath& breath : breaths)
+    if (breath.kept) kept.push_back(breath);
+  return kept;
+}
+
 // Scales all volumes so that the median of the kept breaths (of all, if none is kept) is the given one. =>
 // result
 void calibrate(Segmentation& result, double tidal_volume_m3) {
-  std::vector<Breath> kept;
-  for (const Breath& breath : result.breaths)
-    if (breath.kept) kept.push_back(breath);
+  const std::vector<Breath> kept = kept_of(result.breaths);
   const double found = median_of(kept.empty() ? result.breaths : kept, tidal_volume);
   const double factor = tidal_volume_m3 / found;
   for (double& v : result.volume_m3) v *= factor;
@@ -185,16 +190,20 @@ Segmentation segment_breaths(const Trace& trace, const BreathSelection& selectio
   const double period = median_of(result.breaths, duration), volume = median_of(result.breaths, tidal_volume);
   check_period(trace, period);
   check_samples(trace, period);
-  if (result.calibrated && !selection.calibrate_tidal_volume_m3)
-    check_tidal_volume(trace, volume, period, change_of_unit(result.time_s, result.volume_m3, period));
-
-  check_not_abrupt(result);
   const bool known = result.calibrated && !selection.calibrate_tidal_volume_m3;
+  const auto check_size = [&](double tidal_volume_m3) {
+    if (known)
+      check_tidal_volume(trace, tidal_volume_m3, period,
+                         change_of_unit(result.time_s, result.volume_m3, period));
+  };
+  check_size(volume);
+  check_not_abrupt(result);
   for (std::string& doubt : doubts(trace, result.time_s, result.volume_m3, known, volume, period))
     result.notes.push_back(std::move(doubt));
 
   const auto shifts = shifts_of(marks, found.drift);
   judge(result, shifts, selection);
+  if (const auto kept = kept_of(result.breaths); !kept.empty()) check_size(median_of(kept, tidal_volume));
   if (selection.calibrate_tidal_volume_m3) {
     calibrate(result, *selection.calibrate_tidal_volume_m3);
     judge(result, shifts, selection);
