@@ -172,7 +172,7 @@ std::optional<double> even_step(const std::vector<Cells>& rows, std::size_t colu
 // Returns the unit in which steps of a time agree with the interval; "" if there is none.
 std::string unit_of_times(double step, double interval_s) {
   constexpr double tolerance = 0.05;  // times are rounded
-  for (const std::string unit : {"s", "ms", "min", "h"})
+  for (const char* unit : {"s", "ms", "min", "h"})
     if (std::abs(step * unit_of(unit)->to_si - interval_s) <= tolerance * interval_s) return unit;
   return "";
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "text/message_text.hpp"
 #include "traces/breath_table.hpp"
@@ -252,7 +253,12 @@ class ColumnChoice {
   // If there are no times, an option or the file gives the rate.
   void choose_rate() {
     if (chosen_.time) return;
-    chosen_.rate_hz = options_.rate_hz > 0 ? options_.rate_hz : recording_.channels[chosen_.value].rate_hz;
+    const double given = options_.rate_hz, known = recording_.channels[chosen_.value].rate_hz;
+    if (given > 0 && known > 0 && std::abs(given / known - 1) > 1e-3)
+      chosen_.notes.push_back(
+          fmt::format("{} is read at {} samples a second, as --rate says, not at {}, as the file says",
+                      word_and_name(chosen_.value), number_text(given), number_text(known)));
+    chosen_.rate_hz = given > 0 ? given : known;
     if (!(chosen_.rate_hz > 0)) no_times();
   }
 

@@ -161,6 +161,12 @@ TEST_CASE("A MAT-file gives vectors, columns and fields of structs") {
     CHECK_THAT(trace_error_at(path),
                Contains("FILE: 400 values found in variable 'flow_L_s' and 3 in 'time_s'"));
   }
+  SECTION("a block, which no MAT-file has") {
+    MatWriter(path, version).write(MatWriter::matrix("x", {1.0}, 1));
+    TraceOptions options;
+    options.block = 2;
+    CHECK_THROWS_WITH(read_trace(path, options), StartsWith("--block 2: ") && Contains("has no blocks"));
+  }
   SECTION("no vector") {
     MatWriter(path, version).write(MatWriter::matrix("x", {1.0}, 1));
     CHECK_THAT(trace_error_at(path), Contains("FILE: no vector of numbers found"));

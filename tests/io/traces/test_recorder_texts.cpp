@@ -161,6 +161,12 @@ TEST_CASE("Of several blocks the longest is read unless another is chosen", "[fa
   CHECK_THROWS_WITH(trace_of(file, block(4)), StartsWith("--block 4: ") && Contains("has 3 blocks"));
   CHECK_THROWS_WITH(trace_of("time_s,volume_ml\n" + trace_rows(), block(2)),
                     StartsWith("--block 2: ") && Contains("is not divided into blocks"));
+  TraceOptions rated = block(2);
+  rated.rate_hz = 50;
+  LabChart untimed = two;
+  untimed.time = nullptr;
+  CHECK_THAT(trace_of(one.text() + untimed.text(), rated).notes.at(0),
+             Contains("'Flow' is read at 50 samples a second, as --rate says, not at 100, as the file says"));
   CHECK_THAT(trace_error(one.text().substr(0, one.text().find("0.00"))),
              Contains("FILE: headers without rows"));
 
