@@ -60,6 +60,16 @@ class Resume(SweepTest):
         self.assertEqual((self.folder / "d/table.csv").read_bytes(), table)
         self.assert_all_there(6)
 
+    def test_a_file_whose_row_was_lost_gives_the_same_row(self):
+        command = ("sweep", self.muscles(3), "-o", "d")
+        self.succeeds(*command)
+        table = (self.folder / "d/table.csv").read_bytes()
+        journal = self.folder / "d/journal/1-of-1"
+        journal.write_bytes(journal.read_bytes()[:-100])  # a crash between a run's file and its row
+        again = self.succeeds(*command)
+        self.assertEqual((again["found"], again["simulated"]), (3, 0))
+        self.assertEqual((self.folder / "d/table.csv").read_bytes(), table)
+
     def test_a_half_file_of_a_killed_sweep_goes(self):
         command = ("sweep", self.muscles(3), "-o", "d")
         self.succeeds(*command)
