@@ -152,6 +152,18 @@ class Prediction(TrunkTest):
                 self.assertAlmostEqual(math.log(high / low), told, delta=0.1 * told)
                 self.assertAlmostEqual(math.log(low / results[name]["lower95"]), 0, delta=0.1 * told)
 
+    def test_draws_have_the_intervals_of_the_fit(self):
+        results, values = self.drawn(NO_LUNG)
+        recoil = results["recoil_time_s"]["value"] * results["k_elasticity"]["value"] / values["k_elasticity"]
+        self.assert_intervals_are_of_the_draws(results, {"recoil_time_s": recoil} | {
+            name: values[name] for name in ("k_muscle_over_k_elasticity", "k_elasticity", "k_muscle")})
+
+    def test_draws_of_a_trunk_with_a_lung_have_the_intervals_of_the_fit(self):
+        results, values = self.drawn(HEALTHY)
+        self.assert_intervals_are_of_the_draws(results, {
+            "lung_elastance_cmH2O_per_L": values["lung_elastance"], "resistance_cmH2O_s_per_L": values["resistance"],
+            "k_elasticity": values["k_elasticity"], "k_muscle": values["k_muscle"]})
+
     def test_draws_keep_the_volume_where_priors_alone_know_the_scale_of_forces(self):
         fit = self.succeeds("fit", HEALTHY, "--trace", ROOT / "reference/constructed_trace.csv", "-o", "f.h5", codes=FITTED)
         with h5py.File(self.folder / "f.h5") as file:
@@ -163,18 +175,6 @@ class Prediction(TrunkTest):
         spread = (told["upper95"] - told["lower95"]) / told["value"]
         for end in ("lower95", "upper95"):
             self.assertAlmostEqual(run[f"delta_v_ml_{end}"] / run["delta_v_ml"], 1, delta=0.6 * spread)
-
-    def test_draws_have_the_intervals_of_the_fit(self):
-        results, values = self.drawn(NO_LUNG)
-        recoil = results["recoil_time_s"]["value"] * results["k_elasticity"]["value"] / values["k_elasticity"]
-        self.assert_intervals_are_of_the_draws(results, {"recoil_time_s": recoil} | {
-            name: values[name] for name in ("k_muscle_over_k_elasticity", "k_elasticity", "k_muscle")})
-
-    def test_draws_of_a_trunk_with_a_lung_have_the_intervals_of_the_fit(self):
-        results, values = self.drawn(HEALTHY)
-        self.assert_intervals_are_of_the_draws(results, {
-            "lung_elastance_cmH2O_per_L": values["lung_elastance"], "resistance_cmH2O_s_per_L": values["resistance"]} | {
-            name: values[name] for name in ("k_muscle_over_k_elasticity", "k_elasticity", "k_muscle")})
 
     def test_what_is_set_has_no_spread(self):
         healthy, paralysed = self.no_lung()
