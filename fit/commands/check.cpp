@@ -69,7 +69,7 @@ std::optional<ScenarioFile> check_scenario(const CheckRequest& request, Findings
   if (!file) return file;
   findings.mistakes.gather([&] {
     const Trunk trunk = build_trunk(*file);
-    findings.end_expiratory_m3 = shape_of(trunk, trunk.model.rest).lung_volume;
+    findings.end_expiratory_m3 = end_expiratory_volume(trunk, file->scenario);
     const TimeGrid& time = file->scenario.time;
     const double bound_s = stable_time_step(trunk.model, file->scenario.parameters, time.damping);
     findings.json["scenario"] = request.fit.scenario;

@@ -35,6 +35,7 @@ bool is_machine(const Gate& gate) {
 SubjectFit::SubjectFit(ScenarioFile file, Measurement measurement, FitPlan plan)
     : file_(std::move(file)), measurement_(std::move(measurement)), plan_(std::move(plan)) {
   FitDraft draft(plan_.free, plan_.fixed, !measurement_.breath);
+  const Scenario given = file_.scenario;
   Scenario& scenario = file_.scenario;
   if (measurement_.breath) {
     if (!file_.settings.contains("time.start")) scenario.time.start = Start::periodic;
@@ -54,7 +55,8 @@ SubjectFit::SubjectFit(ScenarioFile file, Measurement measurement, FitPlan plan)
   if (plan_.straight) plan_.priors = priors_of_straight_lines(plan_.priors, draft.beside);
   if (measurement_.breath) take_scale(draft);
   trunk_ = build_trunk(file_);
-  const Screening seen_in_trace = screened(measurement_, shape_of(trunk_, trunk_.model.rest).lung_volume);
+  Screening seen_in_trace = screened(measurement_, shape_of(trunk_, trunk_.model.rest).lung_volume);
+  if (!seen_in_trace.gates.empty()) seen_in_trace = screened(measurement_, end_expiratory_volume(trunk_, given));
   screening_.gates = seen_in_trace.gates;
   screening_.tidal_volume_error = seen_in_trace.tidal_volume_error;
   screening_.notes.insert(screening_.notes.end(), seen_in_trace.notes.begin(), seen_in_trace.notes.end());

@@ -125,6 +125,12 @@ VolumeCurve simulate_volume(const Trunk& trunk, const Parameters<double>& parame
   return curve;
 }
 
+double end_expiratory_volume(const Trunk& trunk, const Scenario& s) {
+  const double at_rest = shape_of(trunk, trunk.model.rest).lung_volume;
+  if (s.time.start == Start::rest) return at_rest;
+  return at_rest + simulate_volume(trunk, s.parameters, s.activation, s.time).above_relaxation;
+}
+
 std::size_t batch_lanes() noexcept {
   return static_cast<std::size_t>(kernel().lanes);
 }

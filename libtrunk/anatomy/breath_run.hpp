@@ -55,6 +55,10 @@ std::vector<BreathSummary> summarise_breaths(const Trunk& trunk, std::span<const
 VolumeCurve simulate_volume(const Trunk& trunk, const Parameters<double>& parameters,
                             const BreathActivation<double>& activation, const TimeGrid& grid);
 
+/// Returns the lung volume at the start of a scenario's own breath, m3: that at rest, and what breaths before
+/// have left where breathing repeats. Throws InputError if it cannot repeat.
+double end_expiratory_volume(const Trunk& trunk, const Scenario& scenario);
+
 /// Returns the number of trials that this machine simulates side by side.
 std::size_t batch_lanes() noexcept;
 
