@@ -204,8 +204,8 @@ std::optional<TrunkPart> part_of_trunk(const ColumnName& belt) {
         if (part.starts_with(word)) return true;
     return false;
   };
-  const bool thorax = any_begins_with({"thor", "chest", "brust", "rib"}),
-             abdomen = any_begins_with({"abd", "bauch", "belly"});
+  const bool thorax = belt.base == "rc" || any_begins_with({"thor", "chest", "brust", "rib"}),
+             abdomen = belt.base == "ab" || any_begins_with({"abd", "bauch", "belly"});
   if (thorax == abdomen) return std::nullopt;
   return thorax ? TrunkPart::thorax : TrunkPart::abdomen;
 }

@@ -143,13 +143,13 @@ constexpr std::array all_words{
     ColumnWord{"tilavuus", Role::volume}, ColumnWord{"térfogat", Role::volume},
     ColumnWord{"όγκος", Role::volume}, ColumnWord{"용적", Role::volume}, ColumnWord{"abd", Role::belt},
     ColumnWord{"brustgurt", Role::belt}, ColumnWord{"bauchgurt", Role::belt},
-    ColumnWord{"ribcage", Role::belt}};
+    ColumnWord{"ribcage", Role::belt}, ColumnWord{"rc", Role::belt}, ColumnWord{"ab", Role::belt}};
 
-constexpr std::array<std::string_view, 35> all_ignored{
-    "at",       "resp",  "respiratory", "breathing", "air",      "airway",    "mouth", "nasal",   "oral",
-    "lung",     "lungs", "mask",        "signal",    "sensor",   "channel",   "ch",    "kanal",   "raw",
-    "filtered", "belt",  "effort",      "chest",     "thoracic", "abdominal", "au",    "a",       "u",
-    "stamp",    "date",  "and",         "since",     "start",    "elapsed",   "rel",   "relative"};
+constexpr std::array<std::string_view, 36> all_ignored{
+    "at",   "rsp",      "resp",  "respiratory", "breathing", "air",      "airway",    "mouth", "nasal",
+    "oral", "lung",     "lungs", "mask",        "signal",    "sensor",   "channel",   "ch",    "kanal",
+    "raw",  "filtered", "belt",  "effort",      "chest",     "thoracic", "abdominal", "au",    "a",
+    "u",    "stamp",    "date",  "and",         "since",     "start",    "elapsed",   "rel",   "relative"};
 
 }  // namespace
 

@@ -194,6 +194,7 @@ class Columns {
     const bool too_many = cells_ > next + titles_.size() && !is_plain_number(cell(next), block_.delimiter);
     if (!date_first && (is_date(cell(next)) || too_many)) add("date", "");
     if (!timed) require_rate();
+    if (titles_.empty() && cells_ > layout_.names.size()) titles_.resize(cells_ - layout_.names.size());
     for (std::size_t i = 0; i < titles_.size(); ++i)
       add(titles_[i].empty() ? fmt::format("Channel {}", i + 1) : std::string(titles_[i]),
           unit_of_channel(i));
@@ -236,10 +237,12 @@ class Columns {
                      "export it with times, or add --rate HZ");
   }
 
-  // Returns "L/s" for the range "10.000 L/s".
+  // Returns "L/s" for the range "10.000 L/s". The range may be that of the input in V, so that a unit in the
+  // name of the channel comes first.
   std::string unit_of_channel(std::size_t i) const {
     if (const Cells units = block_.values_of("UnitName"); i < units.size() && units[i] != "*")
       return std::string(units[i]);
+    if (column_name(titles_[i]).quantity != Quantity::unknown) return "";
     const Cells ranges = block_.values_of("Range");
     const bool in_pairs = block_.delimiter == ' ' && ranges.size() == 2 * titles_.size();
     if (in_pairs) return std::string(ranges[2 * i + 1]);

@@ -15,8 +15,8 @@ bool is_labchart(TextLines lines);
 /// (our choice). `block` counts from 1; 0 takes the longest one, which a note says.
 ///
 /// The names are those of ChannelTitle=, or else "Channel 1" and so on. The units are those of UnitName=, or
-/// else of Range=. A column of times, in any unit that agrees with Interval=, or of clock times, and one of
-/// dates may stand before the channels. Without times, Interval= gives the rate.
+/// else in the names, or else of Range=. A column of times, in any unit that agrees with Interval=, or of
+/// clock times, and one of dates may stand before the channels. Without times, Interval= gives the rate.
 ///
 /// Throws InputError if there is no such block, or if neither times nor Interval= tell the rate.
 TableLayout labchart_layout(const TextLines& lines, std::size_t block);

@@ -80,8 +80,13 @@ void check_gaps(const Times& time, double step, const RawSamples& samples) {
 }
 
 // If the times are plausible in another unit, the error suggests this unit.
-std::string hint_for(double step, const ColumnName* column, const std::vector<ColumnName>& all) {
-  if (!numbers_of_breaths(all).empty())
+std::string hint_for(double step, const Times& steps, const ColumnName* column,
+                     const std::vector<ColumnName>& all) {
+  // Breaths are not evenly spaced; samples are.
+  const auto uneven =
+      std::count_if(steps.begin(), steps.end(), [&](double s) { return std::abs(s - step) > 0.02 * step; });
+  const bool rows_of_breaths = 2 * static_cast<std::size_t>(uneven) > steps.size();
+  if (rows_of_breaths || !numbers_of_breaths(all).empty())
     return fmt::format("if each row is a breath, {}", remedy_for_breath_table);
   if (column && column->unit == "s" && step / 1e3 <= 1 / lowest_rate_hz)
     return "the column named in seconds may hold milliseconds: name it time_ms or add --time-unit ms";
@@ -90,13 +95,13 @@ std::string hint_for(double step, const ColumnName* column, const std::vector<Co
   return column ? "give a recording of single breaths, not of averages" : "correct the rate";
 }
 
-void check_rate(double step, const RawSamples& samples, const ColumnName* column,
+void check_rate(double step, const Times& steps, const RawSamples& samples, const ColumnName* column,
                 std::vector<std::string>& notes) {
   const double rate = 1 / step;
   if (rate < lowest_rate_hz * (1 - 1e-6))
     throw samples.error(fmt::format("a sample every {} s found", number_text(step)),
                         fmt::format("at least {} a second", number_text(lowest_rate_hz)),
-                        hint_for(step, column, samples.names()));
+                        hint_for(step, steps, column, samples.names()));
   if (rate < usual_low_hz * (1 - 1e-6))
     notes.push_back(fmt::format(
         "only {} samples a second: times of breaths are not more exact than the steps between samples",
@@ -151,9 +156,10 @@ void settle_times(std::vector<double>& time_s, const RawSamples& samples, const 
     spread_shared(time_s, notes);
     check_increases(time_s, samples, *column);
   }
-  const double step = upper_median(steps_of(time_s));
+  const Times steps = steps_of(time_s);
+  const double step = upper_median(steps);
   Mistakes mistakes;
-  mistakes.gather([&] { check_rate(step, samples, column, notes); });
+  mistakes.gather([&] { check_rate(step, steps, samples, column, notes); });
   mistakes.gather([&] { check_gaps(time_s, step, samples); });
   mistakes.settle();
   if (column) note_rates(time_s, notes);

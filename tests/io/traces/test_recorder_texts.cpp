@@ -100,6 +100,12 @@ TEST_CASE("A text of LabChart gives names, units and times", "[faults]") {
     given.unit = "L/s";
     check_flow(trace_of(text, given));
   }
+  SECTION("with units in the names, whatever the range of the input is") {
+    file.units = "";
+    std::string text = file.text();
+    text.replace(text.find("Flow"), 4, "Flow (L/s)");
+    check_flow(trace_of(text));
+  }
   SECTION("with a date in words") {
     file.time = [](int i) { return fmt::format("{:.2f}|3 Dec 2024", 0.01 * i); };
     check_flow(trace_of(file.text()));

@@ -199,7 +199,7 @@ TEST_CASE("Belts of thorax and abdomen are understood, and one may be chosen", "
     return rows_of(header, 60, [](int i) { return fmt::format("{:.2f},{},{}", 0.01 * i, i, -i); });
   };
   for (const std::string header :
-       {"time_s,Thorax,Abdomen", "time_s,abdo belt,chest belt", "time_s,ABDO,THOR"}) {
+       {"time_s,Thorax,Abdomen", "time_s,RC,AB", "time_s,abdo belt,chest belt", "time_s,ABDO,THOR"}) {
     CAPTURE(header);
     CHECK_THAT(trace_error(text(header)),
                Contains("belt of the thorax") && Contains("choose one of them with --belt"));
@@ -217,6 +217,14 @@ TEST_CASE("A table of breaths is named for what it is", "[faults]") {
       [](int i) { return fmt::format("00:{:02}:{:02},14.3,0.517,7.39,250,210", 4 * i / 60, 4 * i % 60); });
   CHECK_THAT(trace_error(breaths), Contains("each row seems to be a breath") && Contains("metabolic cart") &&
                                        Contains("'VT', 'VE', 'VO2'"));
+  // Also without such names: breaths are not evenly spaced.
+  TraceOptions volume;
+  volume.value_column = "2";
+  CHECK_THAT(
+      trace_error(rows_of("time_s,VT (L)", 40,
+                          [](int i) { return fmt::format("{:.2f},0.5", 4.1 * i + 0.7 * std::sin(1.7 * i)); }),
+                  volume),
+      Contains("if each row is a breath"));
   TraceOptions chosen;
   chosen.value_column = "VT";
   chosen.kind = SignalKind::volume;
