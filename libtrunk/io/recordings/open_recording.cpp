@@ -1,7 +1,5 @@
 #include "recordings/open_recording.hpp"
 
-#include <fmt/format.h>
-
 #include <fstream>
 
 #include "files/read_file.hpp"
@@ -31,13 +29,7 @@ std::string start_of(const std::filesystem::path& path) {
 std::unique_ptr<Recording> open_recording(const std::filesystem::path& path,
                                           const RecordingOptions& options) {
   const std::string start = start_of(path);
-  if (is_matlab(start)) {
-    if (options.block > 1)
-      throw InputError({fmt::format("--block {}", options.block)},
-                       fmt::format("{} is a MAT-file, which has no blocks", path.string()),
-                       "a text of LabChart or an interrupted EDF+ file", "choose a variable instead");
-    return open_matlab(path);
-  }
+  if (is_matlab(start)) return open_matlab(path, options.block);
   if (is_edf(start)) return open_edf(path, options.block);
   require_no_foreign_format(path, start);
   TextOfFile file = read_text_file_in(options.encoding, path, largest_text);

@@ -165,7 +165,7 @@ TEST_CASE("A MAT-file gives vectors, columns and fields of structs") {
     MatWriter(path, version).write(MatWriter::matrix("x", {1.0}, 1));
     TraceOptions options;
     options.block = 2;
-    CHECK_THROWS_WITH(read_trace(path, options), StartsWith("--block 2: ") && Contains("has no blocks"));
+    CHECK_THROWS_WITH(read_trace(path, options), StartsWith("--block 2: ") && Contains("has 1 block;"));
   }
   SECTION("no vector") {
     MatWriter(path, version).write(MatWriter::matrix("x", {1.0}, 1));
@@ -182,6 +182,38 @@ TEST_CASE("A MAT-file gives vectors, columns and fields of structs") {
     CHECK_THAT(read_trace(path).notes.at(0), Contains("1 sample without a number interpolated: ") &&
                                                  Contains("sample 51: nan found in variable 'volume_ml'"));
   }
+}
+
+TEST_CASE("A MAT-file of LabChart gives its channels and blocks", "[faults]") {
+  const TemporaryFolder folder;
+  const auto path = folder / "a.mat";
+  const mat_ft version = GENERATE(MAT_FT_MAT5, MAT_FT_MAT73);
+  const auto write = [&](double rate) {
+    std::vector<double> data(100, 7.0);  // the first block: 50 samples of each channel
+    const auto flow = waves(), pressure = waves(2);
+    data.insert(data.end(), pressure.begin(), pressure.end());
+    data.insert(data.end(), flow.begin(), flow.end());
+    MatWriter file(path, version);
+    file.write(MatWriter::matrix("data", data, 1));
+    file.write(MatWriter::matrix("datastart", {1, 51, 101, 501}, 2));  // [channels][blocks]
+    file.write(MatWriter::matrix("dataend", {50, 100, 500, 900}, 2));
+    file.write(MatWriter::matrix("samplerate", {100, 100, rate, rate}, 2));
+    file.write(MatWriter::text("titles", "PFmloouw", 2));  // "Pmou", "Flow"
+    file.write(MatWriter::text("unittext", "cLm/Hs2 O ", 2));
+    file.write(MatWriter::matrix("unittextmap", {1, 2, 1, 2}, 2));
+  };
+  write(100);
+  const Trace trace = read_trace(path);
+  check_waves(trace, 1e-3);
+  CHECK_THAT(trace.notes.at(trace.notes.size() - 1),
+             Contains("the file has 2 blocks: block 2, the longest, is read, of 4 s (--block 1 "));
+  TraceOptions first;
+  first.block = 1;
+  CHECK(read_trace(path, first).value == std::vector<double>(50, 7e-3));
+  first.block = 3;
+  CHECK_THROWS_WITH(read_trace(path, first), StartsWith("--block 3: ") && Contains("has 2 blocks"));
+  write(1e9);  // then the first block is longer
+  CHECK(read_trace(path).value.size() == 50);
 }
 
 TEST_CASE("A MAT-file that is cut short is refused, since libmatio would fill it with zeros") {

@@ -8,7 +8,9 @@
 #include <cmath>
 #include <map>
 
+#include "recordings/matlab/labchart_variables.hpp"
 #include "recordings/matlab/mat_variables.hpp"
+#include "text/message_text.hpp"
 
 namespace trunk {
 namespace {
@@ -46,10 +48,15 @@ constexpr std::array<std::string_view, 2> lists_of_units{"units", "unit"};
 
 class MatlabRecording : public Recording {
  public:
-  explicit MatlabRecording(const std::filesystem::path& path)
+  MatlabRecording(const std::filesystem::path& path, std::size_t block)
       : content_(read_mat_variables(path, most_values)) {
     source = path.string();
     word = "variable";
+    if (const auto labchart = LabChartVariables::in(content_)) {
+      add_labchart(*labchart, block);
+      return;
+    }
+    if (block > 1) refuse_block(block, 1);
     const double rate = rate_hz();
     for (const MatVariable& v : content_.variables) add_channels(v);
     for (Channel& channel : channels) channel.rate_hz = rate;
@@ -91,6 +98,29 @@ class MatlabRecording : public Recording {
                        "in MATLAB, export it with writetable(T, 'recording.csv'), and a timetable with "
                        "writetimetable");
     throw InputError({source}, "no vector of numbers found", "variables such as time_s and flow_L_s");
+  }
+
+  [[noreturn]] void refuse_block(std::size_t block, std::size_t blocks) const {
+    throw InputError({fmt::format("--block {}", block)},
+                     fmt::format("{} has {} block{}", source, blocks, blocks == 1 ? "" : "s"),
+                     "the number of a block of LabChart, from 1");
+  }
+
+  void add_labchart(const LabChartVariables& labchart, std::size_t block) {
+    const std::size_t blocks = labchart.blocks();
+    if (block > blocks) refuse_block(block, blocks);
+    std::size_t chosen = block > 0 ? block - 1 : 0;
+    for (std::size_t i = 0; block == 0 && i < blocks; ++i)
+      if (labchart.length_s(i) > labchart.length_s(chosen)) chosen = i;
+    if (block == 0 && blocks > 1)
+      notes.push_back(fmt::format(
+          "the file has {} blocks: block {}, the longest, is read, of {} s (--block {} reads another)",
+          blocks, chosen + 1, number_text(labchart.length_s(chosen)), chosen == 0 ? 2 : 1));
+    for (const auto& channel : labchart.channels(chosen))
+      if (channel.count >= 2 && channel.count <= max_samples)
+        add({channel.name, channel.unit, channel.rate_hz, channel.count},
+            {&labchart.data(), channel.first, 1, channel.count});
+    if (channels.empty()) refuse_empty();
   }
 
   double rate_hz() const {
@@ -178,8 +208,8 @@ bool is_matlab(std::string_view start) {
           start.starts_with("MATLAB 7.3 MAT-file"));
 }
 
-std::unique_ptr<Recording> open_matlab(const std::filesystem::path& path) {
-  return std::make_unique<MatlabRecording>(path);
+std::unique_ptr<Recording> open_matlab(const std::filesystem::path& path, std::size_t block) {
+  return std::make_unique<MatlabRecording>(path, block);
 }
 
 }  // namespace trunk

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <memory>
 #include <string_view>
@@ -20,7 +21,10 @@ bool is_matlab(std::string_view start);
 ///  - A list of texts such as labels, titles or names gives the names of the columns of a matrix if it has as
 ///    many entries, and a list units gives their units.
 ///
-/// Throws InputError if the file is damaged, or if it has no vector of numbers.
-std::unique_ptr<Recording> open_matlab(const std::filesystem::path& path);
+///  - A file of LabChart has its own channels (see LabChartVariables): those of `block`, from 1, or of the
+///    longest one if it is 0, which a note says.
+///
+/// Throws InputError if the file is damaged, or if it has no vector of numbers or no such block.
+std::unique_ptr<Recording> open_matlab(const std::filesystem::path& path, std::size_t block = 0);
 
 }  // namespace trunk
