@@ -3,128 +3,23 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <map>
 #include <optional>
 
 #include "errors/input_error.hpp"
 #include "tables/clock_time.hpp"
 #include "tables/column_names.hpp"
+#include "tables/labchart_blocks.hpp"
 #include "tables/leading_number.hpp"
 #include "text/message_text.hpp"
 
 namespace trunk {
 namespace {
 
-constexpr std::size_t most_blocks = 10'000, most_key_lines = 30, rows_looked_at = 50;
+constexpr std::size_t rows_looked_at = 50;
 
-using Cells = std::vector<std::string_view>;
-
-// Returns "Interval" for the line "Interval=\t0.01 s"; "" for a line of another form.
-std::string_view key_of(std::string_view line) {
-  if (line.starts_with('"')) line.remove_prefix(1);
-  std::size_t length = 0;
-  while (length < line.size() && ((line[length] | 0x20) >= 'a' && (line[length] | 0x20) <= 'z')) ++length;
-  return length > 0 && length < line.size() && line[length] == '=' ? line.substr(0, length)
-                                                                   : std::string_view{};
-}
-
-char delimiter_after_key(std::string_view line) {
-  line.remove_prefix(line.find('=') + 1);
-  if (line.starts_with('"')) line.remove_prefix(1);
-  return !line.empty() && std::string_view("\t;,").find(line.front()) != std::string_view::npos ? line.front()
-                                                                                                : ' ';
-}
-
-struct Block {
-  std::map<std::string_view, Cells> keys;
-  std::size_t header_line = 0, count = 0;
-  char delimiter = '\t';
-  double interval_s = 0;  // 0: not known
-  TextLines rows;         // is just before the first row, and ends with the last
-
-  Cells values_of(std::string_view key) const {
-    const auto found = keys.find(key);
-    return found == keys.end() ? Cells{} : found->second;
-  }
-  double length_s() const { return static_cast<double>(count) * (interval_s > 0 ? interval_s : 1); }
-};
-
-void take_key(Block& block, std::string_view key, std::string_view line, std::size_t number) {
-  if (key == "ChannelTitle" || block.header_line == 0) block.header_line = number;
-  if (!trimmed(line).ends_with('=')) block.delimiter = delimiter_after_key(line);
-  split_cells(line, delimiter_after_key(line), block.keys[key]);
-  Cells& cells = block.keys[key];
-  cells.erase(cells.begin());
-  if (key != "Interval" || cells.empty()) return;
-  const LeadingNumber interval = leading_number(
-      cells.size() > 1 ? std::string(cells[0]) + " " + std::string(cells[1]) : std::string(cells[0]));
-  const auto unit = unit_of(interval.rest.empty() ? "s" : interval.rest);
-  block.interval_s = unit && unit->quantity == Quantity::time && interval.value > 0 && interval.value < 1e9
-                         ? interval.value * unit->to_si
-                         : 0;
-}
-
-std::vector<Block> blocks_of(const TextLines& lines) {
-  std::vector<Block> blocks;
-  TextLines at = lines, before = lines;
-  bool in_header = false;
-  for (std::string_view line; at.next(line); before = at) {
-    const std::string_view key = key_of(line);
-    if (!key.empty() && !in_header) {
-      if (!blocks.empty()) blocks.back().rows.stop_at(before);
-      if (blocks.size() >= most_blocks)
-        throw InputError({lines.source(), at.number()}, fmt::format("more than {} blocks found", most_blocks),
-                         "fewer", "export a part of the recording");
-      Block next{{}, 0, 0, '\t', 0, lines};
-      if (!blocks.empty()) {  // what the new header does not say holds on
-        next = blocks.back();
-        next.count = 0;
-      }
-      blocks.push_back(std::move(next));
-    }
-    in_header = !key.empty();
-    if (in_header) {
-      take_key(blocks.back(), key, line, at.number());
-      blocks.back().rows = at;
-    } else if (!blocks.empty()) {
-      ++blocks.back().count;
-    }
-  }
-  std::erase_if(blocks, [](const Block& block) { return block.count == 0; });
-  return blocks;
-}
-
-std::string lengths_of(const std::vector<Block>& blocks) {
-  constexpr std::size_t most = 6;
-  std::string text;
-  for (std::size_t i = 0; i < std::min(blocks.size(), most); ++i)
-    text += fmt::format("{}{}", i > 0 ? ", " : "", number_text(blocks[i].length_s(), 4));
-  return text + (blocks.size() > most ? ", ..." : "");
-}
-
-// Returns the number of the block to read, from 0, and adds a note if nobody chose it.
-std::size_t chosen_block(const std::vector<Block>& blocks, std::size_t wanted, const std::string& source,
-                         std::vector<std::string>& notes) {
-  if (blocks.empty())
-    throw InputError({source}, "headers without rows of numbers below them", "at least 10 samples",
-                     "check that the export was finished");
-  if (wanted > blocks.size())
-    throw InputError({fmt::format("--block {}", wanted)},
-                     fmt::format("{} has {} block{}", source, blocks.size(), blocks.size() == 1 ? "" : "s"),
-                     "the number of a block, from 1");
-  if (wanted > 0 || blocks.size() == 1) return wanted > 0 ? wanted - 1 : 0;
-  const auto longest = std::max_element(blocks.begin(), blocks.end(), [](const Block& a, const Block& b) {
-    return a.length_s() < b.length_s();
-  });
-  const auto chosen = static_cast<std::size_t>(longest - blocks.begin());
-  notes.push_back(fmt::format(
-      "the file has {} blocks, of {} {}: block {}, the longest, is read (--block {} reads another)",
-      blocks.size(), lengths_of(blocks), longest->interval_s > 0 ? "s" : "rows", chosen + 1,
-      chosen == 0 ? 2 : 1));
-  return chosen;
-}
+using Block = LabChartBlock;
+using Cells = Block::Cells;
 
 bool is_plain_number(std::string_view cell, char delimiter) {
   return cell_number(cell, delimiter != ',').second == std::errc{};
@@ -258,20 +153,9 @@ class Columns {
 
 }  // namespace
 
-bool is_labchart(TextLines lines) {
-  std::string_view line;
-  for (std::size_t i = 0; i < most_key_lines && lines.next(line); ++i) {
-    const std::string_view key = key_of(line);
-    if (key.empty()) return false;
-    if (key == "ChannelTitle" || key == "ExcelDateTime") return true;
-  }
-  return false;
-}
-
 TableLayout labchart_layout(const TextLines& lines, std::size_t block) {
-  const std::vector<Block> blocks = blocks_of(lines);
   std::vector<std::string> notes;
-  const Block& chosen = blocks[chosen_block(blocks, block, lines.source(), notes)];
+  const Block chosen = labchart_block(lines, block, notes);
   TableLayout layout{chosen.delimiter, chosen.header_line, true, {}, {}, chosen.rows, 0, std::move(notes)};
   Columns(chosen, layout).name();
   return layout;

@@ -67,6 +67,9 @@ TEST_CASE("A text of LabChart gives names, units and times", "[faults]") {
     file.time = nullptr;
     file.interval = GENERATE("0.01 s", "10 ms", "0,01 s", "1e-2 s", "0.01");
     check_flow(trace_of(file.text()));
+    std::string joined = file.text();
+    joined.erase(joined.find('\t'), 1);  // "Interval=0.01 s"
+    check_flow(trace_of(joined));
   }
   SECTION("with times in the unit that agrees with the interval") {
     const double factor = GENERATE(1e3, 1 / 60.0);
