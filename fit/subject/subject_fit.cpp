@@ -56,7 +56,8 @@ SubjectFit::SubjectFit(ScenarioFile file, Measurement measurement, FitPlan plan)
   if (measurement_.breath) take_scale(draft);
   trunk_ = build_trunk(file_);
   Screening seen_in_trace = screened(measurement_, shape_of(trunk_, trunk_.model.rest).lung_volume);
-  if (!seen_in_trace.gates.empty()) seen_in_trace = screened(measurement_, end_expiratory_volume(trunk_, given));
+  if (!seen_in_trace.gates.empty())
+    seen_in_trace = screened(measurement_, end_expiratory_volume(trunk_, given));
   screening_.gates = seen_in_trace.gates;
   screening_.tidal_volume_error = seen_in_trace.tidal_volume_error;
   screening_.notes.insert(screening_.notes.end(), seen_in_trace.notes.begin(), seen_in_trace.notes.end());
