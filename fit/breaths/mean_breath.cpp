@@ -82,6 +82,7 @@ MeasuredBreath averaged(const Segmentation& segmentation, const Breaths& used, i
   mean.breaths_used = static_cast<int>(used.size());
   mean.channels = mean_channels(segmentation, mean);
   mean.excursion_m = segmentation.excursion_m;
+  mean.window = segmentation.window;
   return mean;
 }
 
@@ -136,11 +137,14 @@ MeasuredBreath mean_breath(const Segmentation& segmentation, int samples) {
 
 MeasuredBreath single_breath(const Segmentation& segmentation, std::size_t number, int samples) {
   check_usable(segmentation, samples);
-  const std::size_t count = segmentation.breaths.size();
-  if (number < 1 || number > count)
+  const Breaths& all = segmentation.breaths;
+  const auto position = position_of(all, number);
+  if (!position)
     throw InputError({segmentation.source}, "there is no breath " + std::to_string(number),
-                     "1 to " + std::to_string(count) + ", the whole breaths found", "choose one of them");
-  return averaged(segmentation, {segmentation.breaths[number - 1]}, samples);
+                     std::to_string(all.front().number) + " to " + std::to_string(all.back().number) +
+                         ", the whole breaths found",
+                     "choose one of them");
+  return averaged(segmentation, {all[*position]}, samples);
 }
 
 }  // namespace trunk

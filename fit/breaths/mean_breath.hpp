@@ -39,6 +39,7 @@ struct MeasuredBreath {
   std::vector<std::vector<double>> each_m3;
   std::vector<MeasuredChannel> channels;  ///< at most one of each kind
   std::optional<double> excursion_m{};    ///< of a dome from end-expiration to end-inspiration, if one number
+  std::optional<TimeWindow> window{};     ///< of the breaths, if the user chose one
 
   const MeasuredChannel* channel(ChannelKind kind) const;  ///< null if it was not measured
 };

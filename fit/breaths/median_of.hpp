@@ -16,4 +16,12 @@ double median_of(const std::vector<Breath>& breaths, Measure measure) {
   return median(std::move(values));
 }
 
+inline double tidal_volume_of(const Breath& breath) {
+  return breath.tidal_volume_m3;
+}
+
+inline double duration_of(const Breath& breath) {
+  return breath.duration_s();
+}
+
 }  // namespace trunk

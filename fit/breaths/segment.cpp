@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "breaths/breath_text.hpp"
 #include "breaths/doubts.hpp"
+#include "breaths/heart_ripple.hpp"
+#include "breaths/judge.hpp"
 #include "breaths/landmarks.hpp"
 #include "breaths/median_of.hpp"
 #include "breaths/one_way.hpp"
@@ -11,35 +14,26 @@
 #include "breaths/volume_signal.hpp"
 #include "breaths/whole_breaths.hpp"
 #include "errors/input_error.hpp"
-#include "math/units.hpp"
-#include "text/message_text.hpp"
+#include "math/median.hpp"
 
 namespace trunk {
 namespace {
 
-std::string seconds(double time_s) {
-  return number_text(time_s, 3) + " s";
-}
-
-std::string volume_text(double volume_m3, bool calibrated) {
-  return calibrated ? number_text(volume_m3 * ml_per_m3, 3) + " ml" : number_text(volume_m3, 3) + " a.u.";
-}
-
 void check_any(const Trace& trace, const WholeBreaths& found) {
   if (!found.peak.empty()) return;
   throw InputError({trace.source},
-                   "no whole breath in " + seconds(trace.time_s.back() - trace.time_s.front()) + " (" +
+                   "no whole breath in " + seconds_text(trace.time_s.back() - trace.time_s.front()) + " (" +
                        std::to_string(found.inspirations) + " inspiration(s) seen)",
                    "at least one breath from rest to rest",
                    "give a longer recording, or one that begins and ends at the end of an expiration");
 }
 
-std::vector<Breath> breaths_at(const Landmarks& marks) {
+std::vector<Breath> breaths_at(const Landmarks& marks, std::size_t first_number) {
   std::vector<Breath> breaths;
   const std::vector<double>&time = marks.rest.time, &value = marks.rest.value;
   for (std::size_t i = 0; i < marks.peak_s.size(); ++i) {
     Breath b{time[i], marks.peak_s[i], time[i + 1], marks.tidal_volume[i], true, ""};
-    b.number = i + 1;
+    b.number = first_number + i;
     b.pause_s = std::min(marks.rests_s[i + 1], b.expiration_s());
     b.inspired_m3 = b.tidal_volume_m3 + marks.rest(b.peak_s) - value[i];
     b.expired_m3 = b.tidal_volume_m3 + marks.rest(b.peak_s) - value[i + 1];
@@ -48,80 +42,15 @@ std::vector<Breath> breaths_at(const Landmarks& marks) {
   return breaths;
 }
 
-double duration(const Breath& breath) {
-  return breath.duration_s();
-}
-double tidal_volume(const Breath& breath) {
-  return breath.tidal_volume_m3;
-}
-
-template <class Text>
-std::string far_from_median(const std::string& what, double value, double usual, Text text) {
-  if (value < 0.5 * usual) return what + " " + text(value) + " is under half the median " + text(usual);
-  if (value > 2 * usual) return what + " " + text(value) + " is over twice the median " + text(usual);
-  return "";
-}
-
-std::string odd_inspiration(const Breath& breath) {
-  const double part = breath.inspiration_s() / breath.duration_s();
-  if (part >= 0.1 && part <= 0.9) return "";
-  return "inspiration takes " + number_text(100 * part, 2) + " % of the breath";
-}
-
-// Returns a reason if the recording ends within the last breath: its expiration is shorter than usual.
-std::string cut_off(const Breath& breath, double record_end_s, double usual_expiration_s) {
-  const bool at_the_end = record_end_s - breath.end_s < 0.02 * breath.duration_s();
-  if (!at_the_end || breath.expiration_s() >= 0.8 * usual_expiration_s) return "";
-  return "the recording ends " + seconds(breath.expiration_s()) +
-         " into its expiration, which usually lasts " + seconds(usual_expiration_s);
-}
-
-template <class Text>
-std::string odd_return(const Breath& breath, double shift, Text text) {
-  if (std::abs(shift) <= 0.5 * breath.tidal_volume_m3) return "";
-  return "ends " + text(std::abs(shift)) + (shift > 0 ? " above" : " below") +
-         " where it began, over half of its tidal volume " + text(breath.tidal_volume_m3);
-}
-
-// Returns how far the rest moves over each breath, in parts of the tidal volume, beyond the median drift or
-// the drift over a neighbouring breath. A wandering base line moves neighbours alike; a shift moves one
-// breath.
-std::vector<double> shifts_of(const Landmarks& marks, double drift) {
-  const std::vector<double>&time = marks.rest.time, &value = marks.rest.value;
-  const auto slope = [&](std::size_t k) { return (value[k + 1] - value[k]) / (time[k + 1] - time[k]); };
-  std::vector<double> shifts;
-  for (std::size_t i = 0; i + 1 < time.size(); ++i) {
-    double sudden = slope(i) - drift;
-    const auto compare = [&](double other) {
-      if (std::abs(slope(i) - other) < std::abs(sudden)) sudden = slope(i) - other;
-    };
-    if (i > 0) compare(slope(i - 1));
-    if (i + 2 < time.size()) compare(slope(i + 1));
-    shifts.push_back(sudden * (time[i + 1] - time[i]) / marks.tidal_volume[i]);
-  }
-  return shifts;
-}
-
-// Judges every breath and writes its reason, in the present unit of volume. => result.breaths
-void judge(Segmentation& result, const std::vector<double>& shifts, const BreathSelection& selection) {
-  const double usual_volume = median_of(result.breaths, tidal_volume);
-  const double usual_duration = median_of(result.breaths, duration);
-  const double usual_expiration = median_of(result.breaths, [](const Breath& b) { return b.expiration_s(); });
-  const auto volume = [&](double v) { return volume_text(v, result.calibrated); };
-  for (std::size_t i = 0; i < result.breaths.size(); ++i) {
-    Breath& breath = result.breaths[i];
-    breath.kept = true, breath.reason = "";
-    for (const auto& reason :
-         {far_from_median("tidal volume", breath.tidal_volume_m3, usual_volume, volume),
-          far_from_median("duration", breath.duration_s(), usual_duration, seconds), odd_inspiration(breath),
-          odd_return(breath, shifts[i] * breath.tidal_volume_m3, volume),
-          cut_off(breath, result.time_s.back(), usual_expiration)}) {
-      if (reason.empty()) continue;
-      breath.kept = false;
-      breath.reason += (breath.reason.empty() ? "" : "; ") + reason;
-    }
-  }
-  overrule(result.breaths, selection, result.source);
+// Keeps the samples from first to last. => result
+void keep_samples(std::size_t first, std::size_t last, Segmentation& result) {
+  const auto cut = [&](std::vector<double>& all) {
+    if (!all.empty())
+      all = {all.begin() + static_cast<std::ptrdiff_t>(first),
+             all.begin() + static_cast<std::ptrdiff_t>(last + 1)};
+  };
+  for (auto* all : {&result.time_s, &result.volume_m3, &result.sigma_m3}) cut(*all);
+  for (TraceChannel& channel : result.channels) cut(channel.value);
 }
 
 std::vector<Breath> kept_of(const std::vector<Breath>& breaths) {
@@ -135,7 +64,7 @@ std::vector<Breath> kept_of(const std::vector<Breath>& breaths) {
 // result
 void calibrate(Segmentation& result, double tidal_volume_m3) {
   const std::vector<Breath> kept = kept_of(result.breaths);
-  const double found = median_of(kept.empty() ? result.breaths : kept, tidal_volume);
+  const double found = median_of(kept.empty() ? result.breaths : kept, tidal_volume_of);
   const double factor = tidal_volume_m3 / found;
   for (double& v : result.volume_m3) v *= factor;
   for (double& v : result.sigma_m3) v *= factor;
@@ -147,47 +76,93 @@ void calibrate(Segmentation& result, double tidal_volume_m3) {
   result.calibrated = true;
 }
 
-void subtract_baseline(VolumeSignal& signal, const KnotLine& rest, double drift) {
-  for (std::size_t i = 0; i < signal.time_s.size(); ++i) signal.volume[i] -= rest(signal.time_s[i], drift);
+void subtract_baseline(const KnotLine& rest, double drift, Segmentation& result) {
+  for (std::size_t i = 0; i < result.time_s.size(); ++i) result.volume_m3[i] -= rest(result.time_s[i], drift);
+}
+
+// Returns how far a rest is from the line between the rests beside it, the median.
+double wander_of(const KnotLine& rest) {
+  std::vector<double> apart;
+  for (std::size_t i = 1; i + 1 < rest.time.size(); ++i) {
+    const double part = (rest.time[i] - rest.time[i - 1]) / (rest.time[i + 1] - rest.time[i - 1]);
+    apart.push_back(std::abs(rest.value[i] - (1 - part) * rest.value[i - 1] - part * rest.value[i + 1]));
+  }
+  return median(std::move(apart));
 }
 
 void add_notes(Segmentation& result, double drift_of_tidal_volume) {
-  const double period = median_of(result.breaths, duration);
+  const double period = median_of(result.breaths, duration_of);
   if (std::abs(drift_of_tidal_volume) > 0.01)
     result.notes.push_back(
         "a drift of " +
-        volume_text(drift_of_tidal_volume * median_of(result.breaths, tidal_volume), result.calibrated) +
+        volume_text(drift_of_tidal_volume * median_of(result.breaths, tidal_volume_of), result.calibrated) +
         " a breath was removed");
+  if (const double wander = wander_of(result.rest), usual = median_of(result.breaths, tidal_volume_of);
+      wander > 0.1 * usual)
+    result.notes.push_back("the base line moves by about " + volume_text(wander, result.calibrated) +
+                           " from breath to breath: each tidal volume is that uncertain");
   const double before = result.breaths.front().onset_s - result.time_s.front();
   const double after = result.time_s.back() - result.breaths.back().end_s;
-  if (before > 0.05 * period || after > 0.05 * period)
-    result.notes.push_back("not used: " + seconds(before) + " before the first and " + seconds(after) +
-                           " after the last whole breath");
+  if (result.window) {
+    result.notes.push_back(note_of(*result.window));
+  } else if (before > 0.05 * period || after > 0.05 * period) {
+    result.notes.push_back("not used: " + seconds_text(before) + " before the first and " +
+                           seconds_text(after) + " after the last whole breath");
+  }
+  if (const std::string note = note_of_sizes(result); !note.empty()) result.notes.push_back(note);
 }
 
 }  // namespace
 
 Segmentation segment_breaths(const Trace& trace, const BreathSelection& selection) {
   VolumeSignal signal = volume_signal(trace);
-  const WholeBreaths found = whole_breaths(signal.time_s, signal.volume);
+  WholeBreaths found = whole_breaths(signal.time_s, signal.volume);
   check_both_ways(trace, found, signal);
   check_any(trace, found);
-  const Landmarks marks = landmarks(signal.time_s, signal.volume, found);
-  subtract_baseline(signal, marks.rest, found.drift);
+  Landmarks marks = landmarks(signal.time_s, signal.volume, found);
+  // The heart hides where breaths begin and end. It is first seen beside breaths that it has blurred.
+  std::vector<double> quiet = signal.volume;
+  std::optional<HeartRipple> ripple;
+  for (int round = 0; round < 3; ++round) {
+    ripple = heart_ripple(signal.time_s, signal.volume, marks, found.drift);
+    if (!ripple) break;
+    for (std::size_t i = 0; i < quiet.size(); ++i) quiet[i] = signal.volume[i] - ripple->volume[i];
+    found = whole_breaths(signal.time_s, quiet);
+    marks = landmarks(signal.time_s, quiet, found);
+  }
 
   Segmentation result{std::move(signal.time_s),
                       std::move(signal.volume),
-                      breaths_at(marks),
+                      {},
                       trace.notes,
                       trace.sigma_m3,
                       trace.source,
                       trace.kind != SignalKind::belt,
-                      marks.rest,
+                      {},
                       trace.channels,
                       trace.excursion_m,
-                      trace.sign};
+                      trace.sign,
+                      time_window(selection, marks, trace.source)};
   result.notes.insert(result.notes.end(), signal.notes.begin(), signal.notes.end());
-  const double period = median_of(result.breaths, duration), volume = median_of(result.breaths, tidal_volume);
+  if (result.window) {
+    const auto [first, last] = samples_inside(found, *result.window, result.time_s.size());
+    found = breaths_inside(found, *result.window, first);
+    keep_samples(first, last, result);
+    quiet = {quiet.begin() + static_cast<std::ptrdiff_t>(first),
+             quiet.begin() + static_cast<std::ptrdiff_t>(last + 1)};
+    marks = landmarks(result.time_s, quiet, found);
+  }
+  if (ripple)
+    result.notes.push_back(
+        "the heart shows in the signal, " + number_text(s_per_min * ripple->frequency_hz, 2) +
+        " times a minute and by about " + volume_text(ripple->amplitude, result.calibrated) +
+        ": breaths are placed and sized without it; the volume itself keeps it");
+  result.rest = marks.rest;
+  result.breaths = breaths_at(marks, result.window ? result.window->first : 1);
+  subtract_baseline(marks.rest, found.drift, result);
+
+  const double period = median_of(result.breaths, duration_of),
+               volume = median_of(result.breaths, tidal_volume_of);
   check_period(trace, period);
   check_samples(trace, period);
   const bool known = result.calibrated && !selection.calibrate_tidal_volume_m3;
@@ -203,7 +178,7 @@ Segmentation segment_breaths(const Trace& trace, const BreathSelection& selectio
 
   const auto shifts = shifts_of(marks, found.drift);
   judge(result, shifts, selection);
-  if (const auto kept = kept_of(result.breaths); !kept.empty()) check_size(median_of(kept, tidal_volume));
+  if (const auto kept = kept_of(result.breaths); !kept.empty()) check_size(median_of(kept, tidal_volume_of));
   if (selection.calibrate_tidal_volume_m3) {
     calibrate(result, *selection.calibrate_tidal_volume_m3);
     judge(result, shifts, selection);

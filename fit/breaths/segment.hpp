@@ -7,6 +7,7 @@
 #include "breaths/breath.hpp"
 #include "breaths/knot_line.hpp"
 #include "breaths/selection.hpp"
+#include "breaths/time_window.hpp"
 #include "traces/trace.hpp"
 
 namespace trunk {
@@ -23,6 +24,7 @@ struct Segmentation {
   std::vector<TraceChannel> channels{};   ///< those of the trace, [samples] as volume_m3
   std::optional<double> excursion_m{};    ///< of a dome over a breath, if one number was measured
   SignShownBy sign = SignShownBy::shape;  ///< what shows which way is up
+  std::optional<TimeWindow> window{};     ///< all of this is inside it, if the user chose one
 };
 
 /// Returns the breaths of a trace. The steps are: repair and integrate (volume_signal), find turning points
@@ -37,7 +39,7 @@ struct Segmentation {
 /// Throws InputError if the signal is constant, hardly comes back (see one_way.hpp), has no whole breath, has
 /// a median period outside 0.8 to 30 s or under 6 samples, or a median tidal volume outside 30 to 6000 ml
 /// (see plausibility.hpp; the volume is not checked for a belt or if a tidal volume is given), or if the
-/// selection names a breath that does not exist.
+/// selection names a breath that does not exist or a window without one.
 Segmentation segment_breaths(const Trace& trace, const BreathSelection& selection = {});
 
 }  // namespace trunk

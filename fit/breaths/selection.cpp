@@ -26,12 +26,13 @@ bool take(std::string_view& rest, char mark) {
   return true;
 }
 
-void check_numbers(const std::string& option, const std::vector<std::size_t>& numbers, std::size_t count,
-                   const std::string& source) {
+void check_numbers(const std::string& option, const std::vector<std::size_t>& numbers,
+                   const std::vector<Breath>& breaths, const std::string& source) {
   for (const std::size_t number : numbers)
-    if (number > count)
+    if (!position_of(breaths, number))
       throw InputError({source}, option + " names breath " + std::to_string(number),
-                       "1 to " + std::to_string(count) + ", the whole breaths found",
+                       std::to_string(breaths.front().number) + " to " +
+                           std::to_string(breaths.back().number) + ", the whole breaths found",
                        "list them with trunk breaths");
 }
 
@@ -50,19 +51,25 @@ std::vector<std::size_t> breath_numbers(const std::string& option, const std::st
   return numbers;
 }
 
+std::optional<std::size_t> position_of(const std::vector<Breath>& breaths, std::size_t number) {
+  for (std::size_t i = 0; i < breaths.size(); ++i)
+    if (breaths[i].number == number) return i;
+  return std::nullopt;
+}
+
 void overrule(std::vector<Breath>& breaths, const BreathSelection& selection, const std::string& source) {
-  check_numbers("--exclude", selection.excluded, breaths.size(), source);
-  check_numbers("--include", selection.included, breaths.size(), source);
+  check_numbers("--exclude", selection.excluded, breaths, source);
+  check_numbers("--include", selection.included, breaths, source);
   for (const std::size_t number : selection.excluded) {
     if (std::count(selection.included.begin(), selection.included.end(), number) > 0)
       throw InputError({source},
                        "breath " + std::to_string(number) + " is named by both --exclude and --include",
                        "one of them");
-    Breath& breath = breaths[number - 1];
+    Breath& breath = breaths[*position_of(breaths, number)];
     if (breath.kept) breath.kept = false, breath.reason = "excluded by --exclude";
   }
   for (const std::size_t number : selection.included) {
-    Breath& breath = breaths[number - 1];
+    Breath& breath = breaths[*position_of(breaths, number)];
     if (!breath.kept) breath.kept = true, breath.reason = "included by --include, though " + breath.reason;
   }
 }

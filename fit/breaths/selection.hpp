@@ -9,12 +9,17 @@
 
 namespace trunk {
 
-/// The user's choice of breaths. Numbers count from 1, as in the list of all breaths.
+/// The user's choice of breaths. Numbers count from 1 over the whole recording, as in the list of
+/// all breaths, whatever the window is.
 struct BreathSelection {
   std::vector<std::size_t> excluded, included;  ///< against the program's own judgement
   /// All breaths are scaled so that the kept ones have this median; empty: no scaling.
   std::optional<double> calibrate_tidal_volume_m3;
+  std::optional<double> begin_s{}, end_s{};  ///< only breaths between these times of the trace are used
 };
+
+/// Returns where the breath of this number is in a list; nothing if it is not there.
+std::optional<std::size_t> position_of(const std::vector<Breath>& breaths, std::size_t number);
 
 /// Returns the numbers in a text such as "3,7,9-11"; throws InputError at the option if it is anything else,
 /// or if a number is outside 1 to 999999.

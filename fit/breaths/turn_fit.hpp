@@ -22,6 +22,10 @@ struct Turn {
   double misfit = 0;              ///< mean square residual
 };
 
+/// The noise of a volume: independent from sample to sample, or a walk, the sum of what a flow has. Of a
+/// walk, steps are fitted and not volumes.
+enum class NoiseKind { white, walk };
+
 /// Which sides of a turn the samples show: the fall before it, the rise after it, or both.
 struct TurnSides {
   bool before = true, after = true;
@@ -37,6 +41,6 @@ struct TurnSides {
 /// neither lowers the level nor moves the ends to one side (our choice). A side that is not shown stays level
 /// up to the first or last sample. More than 400 samples are averaged in groups.
 Turn fit_turn(std::span<const double> time_s, std::span<const double> volume, TurnShape shape,
-              TurnSides sides);
+              TurnSides sides, NoiseKind noise = NoiseKind::white);
 
 }  // namespace trunk

@@ -4,18 +4,15 @@
 #include <array>
 #include <cmath>
 
-#include "breaths/robust.hpp"
 #include "math/median.hpp"
 
 namespace trunk {
 namespace {
 
-constexpr double bins_per_breath = 200;
-constexpr double around_turn = 0.1, around_at_most = 0.35;  // fitted part of a height
-constexpr double noise_share = 8;                           // deviations of the bins that are added
 constexpr double seen = 0.5;        // part of the fitted height that a side of the turn must show
 constexpr double longest_side = 3;  // breaths
 constexpr int more_bins = 3;        // on either side, for sharp turns and few samples
+constexpr std::size_t more_samples = 1;
 constexpr std::size_t many_turns = 40;
 constexpr double least_misfit = 1e-8;
 
@@ -24,10 +21,6 @@ constexpr std::array onset_lags{0.0, 0.01, 0.02, 0.04, 0.08, 0.16, evenly};  // 
 constexpr std::array other_lags{0.0, evenly};
 
 using Samples = std::span<const double>;
-
-std::size_t bin_at(Samples begins, double time) {
-  return static_cast<std::size_t>(std::upper_bound(begins.begin(), begins.end(), time) - begins.begin()) - 1;
-}
 
 // The limits of a window on either side of a turn: bins, and heights above the turn.
 struct Reach {
@@ -57,6 +50,24 @@ TurnWindow around(const BinnedVolume& bins, std::size_t turn, const Reach& reach
       std::max(reach.height_before, reach.height_after)};
 }
 
+// A record may begin and end with much that is no breathing. Its first and last rest are seen within one and
+// a half usual breaths from a peak (our choice).
+constexpr double breaths_seen = 1.5;
+std::size_t first_seen(const BinnedVolume& bins) {
+  std::size_t first = bins.trough.front();
+  while (first > 0 && bins.time[first - 1] >= bins.time[bins.peak.front()] - breaths_seen * bins.period)
+    --first;
+  return first;
+}
+
+std::size_t last_seen(const BinnedVolume& bins) {
+  std::size_t last = bins.trough.back();
+  while (last + 1 < bins.time.size() &&
+         bins.time[last + 1] <= bins.time[bins.peak.back()] + breaths_seen * bins.period)
+    ++last;
+  return last;
+}
+
 std::vector<TurnWindow> around_rests(const BinnedVolume& bins, double share) {
   std::vector<TurnWindow> windows;
   const std::size_t n = bins.peak.size();
@@ -64,10 +75,11 @@ std::vector<TurnWindow> around_rests(const BinnedVolume& bins, double share) {
     const auto height = [&](std::size_t k) {
       return bins.smooth[bins.peak[k]] - bins.smooth[bins.trough[i]];
     };
-    windows.push_back(around(bins, bins.trough[i],
-                             {i > 0 ? bins.peak[i - 1] : 0, i < n ? bins.peak[i] : bins.time.size() - 1,
-                              height(i > 0 ? i - 1 : 0), height(i < n ? i : n - 1)},
-                             share));
+    windows.push_back(
+        around(bins, bins.trough[i],
+               {i > 0 ? bins.peak[i - 1] : first_seen(bins), i < n ? bins.peak[i] : last_seen(bins),
+                height(i > 0 ? i - 1 : 0), height(i < n ? i : n - 1)},
+               share));
   }
   return windows;
 }
@@ -90,60 +102,28 @@ void shorten(TurnWindow& w, double longest_s) {
 }
 
 // Returns the mean log misfit, which one odd breath cannot dominate.
-double misfit_of(const std::vector<TurnWindow>& windows, TurnShape shape) {
+double misfit_of(const std::vector<TurnWindow>& windows, TurnShape shape, NoiseKind noise) {
   const std::size_t stride = windows.size() / many_turns + 1;
   double sum = 0, count = 0;
   for (std::size_t i = 0; i < windows.size(); i += stride, ++count) {
     const TurnWindow& w = windows[i];
-    const double misfit = fit_turn(w.time, w.volume, shape, w.sides).misfit;
+    const double misfit = fit_turn(w.time, w.volume, shape, w.sides, noise).misfit;
     sum += std::log(std::max(misfit / (w.height * w.height), least_misfit));
   }
   return sum / count;
 }
 
-TurnShape shape_of(const std::vector<TurnWindow>& windows, Samples lags_after) {
+TurnShape shape_of(const std::vector<TurnWindow>& windows, Samples lags_after, NoiseKind noise) {
   TurnShape best{evenly, evenly};
   double least = HUGE_VAL;
   for (const double before : other_lags)
     for (const double after : lags_after)
-      if (const double misfit = misfit_of(windows, {before, after}); misfit < least)
+      if (const double misfit = misfit_of(windows, {before, after}, noise); misfit < least)
         least = misfit, best = {before, after};
   return best;
 }
 
 }  // namespace
-
-BinnedVolume::BinnedVolume(Samples time_s, Samples samples, const WholeBreaths& breaths) {
-  std::vector<double> durations;
-  for (std::size_t i = 1; i < breaths.trough.size(); ++i)
-    durations.push_back(time_s[breaths.trough[i]] - time_s[breaths.trough[i - 1]]);
-  period = median(std::move(durations));
-  std::vector<double> begins;
-  for (std::size_t i = 0; i < time_s.size();) {
-    begins.push_back(time_s[i]);
-    const double end = time_s[i] + period / bins_per_breath;
-    double t = 0, v = 0, count = 0;
-    do t += time_s[i], v += samples[i], ++count, ++i;
-    while (i < time_s.size() && time_s[i] < end);
-    time.push_back(t / count);
-    volume.push_back(v / count);
-  }
-  for (const std::size_t i : breaths.trough) trough.push_back(bin_at(begins, time_s[i]));
-  for (const std::size_t i : breaths.peak) peak.push_back(bin_at(begins, time_s[i]));
-}
-
-BinnedVolume BinnedVolume::above(const KnotLine& rest, double slope_outside, double height,
-                                 double sign) const {
-  BinnedVolume level = *this;
-  for (std::size_t i = 0; i < time.size(); ++i)
-    level.volume[i] = sign * (volume[i] - rest(time[i], slope_outside));
-  const double of_bins = noise_deviation(level.volume);
-  const std::size_t width = averaging_width(of_bins, 0.01 * height, 5);
-  level.smooth = moving_average(level.volume, width);
-  level.noise = of_bins / std::sqrt(static_cast<double>(width));
-  level.around = std::min(around_turn + noise_share * of_bins / height, around_at_most);
-  return level;
-}
 
 std::vector<TurnWindow> around_onsets(const BinnedVolume& level, Nearness nearness) {
   auto windows = around_rests(level, nearness == Nearness::close ? level.around : around_at_most);
@@ -165,15 +145,43 @@ std::vector<TurnWindow> around_tops(const BinnedVolume& bins) {
   return windows;
 }
 
-std::vector<Turn> turns_in(const std::vector<TurnWindow>& windows, TurnKind kind, double period) {
+std::vector<TurnWindow> closely_around_tops(Samples time, Samples depth, const BinnedVolume& bins,
+                                            const std::vector<Turn>& known,
+                                            const std::vector<TurnWindow>& windows) {
+  std::vector<TurnWindow> close;
+  for (std::size_t i = 0; i < known.size(); ++i) {
+    const auto index = [&](double t) {
+      return static_cast<std::size_t>(std::lower_bound(time.begin(), time.end(), t) - time.begin());
+    };
+    const std::size_t first = index(windows[i].time.front()),
+                      last = std::min(index(windows[i].time.back()), time.size() - 1);
+    std::size_t from = std::clamp(index(known[i].begin_s), first, last),
+                until = std::clamp(index(known[i].end_s), from, last);
+    const double lowest = *std::min_element(&depth[from], &depth[until] + 1);
+    const double limit = lowest + bins.closely * windows[i].height;
+    while (from > first && depth[from - 1] <= limit) --from;
+    while (until < last && depth[until + 1] <= limit) ++until;
+    from = std::max(from, first + more_samples) - more_samples;
+    until = std::min(until + more_samples, last);
+    close.push_back({time.subspan(from, until - from + 1),
+                     depth.subspan(from, until - from + 1),
+                     {},
+                     windows[i].sides,
+                     windows[i].height});
+  }
+  return close;
+}
+
+std::vector<Turn> turns_in(const std::vector<TurnWindow>& windows, TurnKind kind, double period,
+                           NoiseKind noise) {
   std::vector<double> lags(other_lags.begin(), other_lags.end());
   if (kind == TurnKind::onset) {
     lags.assign(onset_lags.begin(), onset_lags.end());
     for (double& lag : lags) lag *= period;
   }
-  const TurnShape shape = shape_of(windows, lags);
+  const TurnShape shape = shape_of(windows, lags, noise);
   std::vector<Turn> turns;
-  for (const TurnWindow& w : windows) turns.push_back(fit_turn(w.time, w.volume, shape, w.sides));
+  for (const TurnWindow& w : windows) turns.push_back(fit_turn(w.time, w.volume, shape, w.sides, noise));
   return turns;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "breaths/above_noise.hpp"
 #include "breaths/robust.hpp"
 #include "math/median.hpp"
 
@@ -25,19 +26,22 @@ std::vector<TurningPoint> settled(std::span<const double> signal, double thresho
 }
 
 // Returns the part of the record in regular cycles, from trough to trough: those with a height above rest and
-// a length within a factor of two of the medians. It is less by 1 if the median cycle is too long.
+// a length within a factor of two of the medians that stand out of the noise. It is less by 1 if the median
+// cycle is too long.
 double regular_part(std::span<const double> signal, const std::vector<TurningPoint>& turns, double longest) {
   std::vector<double> heights, lengths;
+  std::vector<bool> smooth;
   for (std::size_t k = turns.empty() || turns[0].peak ? 1 : 0; k + 2 < turns.size(); k += 2) {
     const double rests = 0.5 * (signal[turns[k].index] + signal[turns[k + 2].index]);
     heights.push_back(signal[turns[k + 1].index] - rests);
     lengths.push_back(static_cast<double>(turns[k + 2].index - turns[k].index));
+    smooth.push_back(above_noise(signal, turns[k].index, turns[k + 1].index, turns[k + 2].index));
   }
   const auto usual = [](double value, double middle) { return value > 0.5 * middle && value < 2 * middle; };
   const double height = median(heights), length = median(lengths);
   double part = length > longest ? -1 : 0;
   for (std::size_t i = 0; i < lengths.size(); ++i)
-    if (usual(heights[i], height) && usual(lengths[i], length))
+    if (smooth[i] && usual(heights[i], height) && usual(lengths[i], length))
       part += lengths[i] / static_cast<double>(signal.size());
   return part;
 }

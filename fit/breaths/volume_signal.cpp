@@ -6,6 +6,7 @@
 #include <string>
 
 #include "breaths/robust.hpp"
+#include "breaths/zero_pulses.hpp"
 #include "errors/input_error.hpp"
 #include "math/median.hpp"
 #include "math/units.hpp"
@@ -90,8 +91,9 @@ std::vector<double> steps_nearby(std::span<const double> signal, std::size_t ski
 }
 
 // Returns the length of a spike that begins at sample i, or 0. A spike jumps away, stays on one side and
-// jumps back, nearly to where it left. Our choice: jumps above a fifth of the central range and above five
-// times the median step nearby, and a return to within half the height.
+// jumps back, nearly to where it left. Our choice: jumps above a fifth of the central range, above six
+// deviations of the noise and above five times the median step nearby, and a return to within half the
+// height.
 std::size_t spike_at(std::span<const double> signal, std::size_t i, std::size_t longest, double least) {
   const double before = signal[i - 1], up = signal[i] - before;
   if (std::abs(up) <= least) return 0;
@@ -111,7 +113,7 @@ std::size_t spike_at(std::span<const double> signal, std::size_t i, std::size_t 
 // Repairs spikes of up to five samples and a tenth of a second, and always those of one sample. Returns how
 // many.
 std::size_t repair_spikes(std::span<const double> time, std::vector<double>& signal) {
-  const double least = 0.2 * central_range(signal);
+  const double least = std::max(0.2 * central_range(signal), 6 * noise_deviation(signal));
   const double step = (time.back() - time.front()) / static_cast<double>(time.size() - 1);
   const auto longest = static_cast<std::size_t>(std::clamp(0.1 / step, 1.0, 5.0));
   std::size_t repaired = 0;
@@ -137,6 +139,14 @@ std::vector<double> integrated(std::span<const double> time, std::span<const dou
 
 double largest(const std::vector<double>& values) {
   return values.empty() ? 0 : *std::max_element(values.begin(), values.end());
+}
+
+std::string note_of(const std::vector<ZeroPulse>& pulses, std::span<const double> time) {
+  std::vector<double> lengths;
+  for (const ZeroPulse& pulse : pulses) lengths.push_back(time[pulse.last + 1] - time[pulse.first]);
+  return std::to_string(pulses.size()) + " pulse(s) of " + number_text(median(std::move(lengths)), 2) +
+         " s at zero flow, the first at " + number_text(time[pulses.front().first]) +
+         " s, as of a flowmeter that zeroes itself: the flow is bridged there";
 }
 
 // Undoes resets and returns how many. A reset jumps to zero by more than the steps around it explain. Our
@@ -173,9 +183,12 @@ VolumeSignal volume_signal(const Trace& trace) {
     if (count > 0) signal.notes.push_back(std::to_string(count) + " " + what);
   };
   note(spikes, "spike(s) replaced by a line between the samples beside them");
-  if (trace.kind == SignalKind::flow)
+  if (trace.kind == SignalKind::flow) {
+    const auto pulses = zero_pulses(signal.time_s, signal.volume);
+    if (!pulses.empty()) signal.notes.push_back(note_of(pulses, signal.time_s));
+    bridge(signal.time_s, pulses, signal.volume);
     signal.volume = integrated(signal.time_s, signal.volume);
-  else
+  } else
     note(remove_resets(signal.volume), "reset(s) of the volume to zero undone");
   return signal;
 }

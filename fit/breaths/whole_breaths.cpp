@@ -1,8 +1,11 @@
 #include "breaths/whole_breaths.hpp"
 
 #include <algorithm>
+#include <optional>
 
+#include "breaths/merged_breaths.hpp"
 #include "breaths/robust.hpp"
+#include "breaths/shallow_breaths.hpp"
 #include "breaths/turning_points.hpp"
 #include "math/median.hpp"
 
@@ -50,6 +53,7 @@ Found turns_in(Samples time, const std::vector<double>& level) {
   const double step = (time.back() - time.front()) / static_cast<double>(time.size() - 1);
   Turns turns = breath_turning_points(level, longest_breath_s / step);
   auto heights = rises(level, turns);
+  turns = with_merged_parted(level, with_shallow_breaths(level, std::move(turns)));
   return {std::move(turns), std::move(heights)};
 }
 
@@ -109,9 +113,47 @@ void drop_cut_breaths(Samples time, Samples volume, const std::vector<std::size_
   if (!turns.empty() && turns.back().peak) turns.pop_back();
 }
 
-// Extends the last expiration to the end of the record, unless the next inspiration has begun. => turns
+// Returns the samples from one peak to the next, the median; all samples if there is one peak.
+std::size_t usual_cycle(Samples volume, const Turns& turns) {
+  std::vector<double> cycles;
+  std::optional<std::size_t> last;
+  for (const TurningPoint& turn : turns) {
+    if (!turn.peak) continue;
+    if (last) cycles.push_back(static_cast<double>(turn.index - *last));
+    last = turn.index;
+  }
+  return cycles.empty() ? volume.size() : static_cast<std::size_t>(median(std::move(cycles)));
+}
+
+// Returns the sample between two that is farthest below the line through them.
+std::size_t knee(Samples volume, std::size_t first, std::size_t last) {
+  const double slope = (volume[last] - volume[first]) / static_cast<double>(last - first);
+  std::size_t found = first;
+  double lowest = 0;
+  for (std::size_t i = first; i <= last; ++i)
+    if (const double v = volume[i] - volume[first] - slope * static_cast<double>(i - first); v < lowest)
+      lowest = v, found = i;
+  return found;
+}
+
+// Brings rests near to their breaths. In a long pause, and before and after breathing, the lowest sample may
+// be anywhere. There a rest is where the volume begins to rise, and the last one is where it ends to fall. =>
+// turns
+void bring_rests_near(Samples volume, Turns& turns) {
+  const std::size_t usual = usual_cycle(volume, turns);
+  for (std::size_t k = 0; k + 1 < turns.size(); ++k)
+    if (turns[k + 1].peak && turns[k + 1].index - turns[k].index > usual)
+      turns[k].index = knee(volume, turns[k].index, turns[k + 1].index);
+  if (turns.size() < 2 || turns.back().peak) return;
+  const std::size_t peak = turns[turns.size() - 2].index;
+  if (turns.back().index - peak > usual) turns.back().index = knee(volume, peak, turns.back().index);
+}
+
+// Extends the last expiration to the end of the record, or to one and a half usual cycles from its peak,
+// unless the next inspiration has begun. => turns
 void extend_to_end(Samples time, Samples volume, const WholeBreaths& found, Turns& turns) {
-  const std::size_t end = volume.size() - 1;
+  const std::size_t usual = turns[turns.size() - 2].index + usual_cycle(volume, turns) * 3 / 2;
+  const std::size_t end = std::min(volume.size() - 1, std::max(usual, turns.back().index));
   const std::size_t last = turns.back().index;
   const double rise = volume[end] - volume[last] - found.drift * (time[end] - time[last]);
   if (rise <= rest_tolerance * found.height) turns.back().index = end;
@@ -126,6 +168,7 @@ WholeBreaths whole_breaths(Samples time_s, Samples volume_m3) {
   if (turns.size() < 3) return found;
 
   const auto level = averaged_for_turns(volume_m3);
+  bring_rests_near(level, turns);
   const auto inner = inner_troughs(turns);
   const TurningPoint last = turns.back();
   found.height = median(heights);

@@ -37,7 +37,7 @@ class ChainFit {
     const auto start = std::chrono::steady_clock::now();
     const Breath& breath = segmentation_.breaths[k];
     BreathRefit row;
-    row.number = k + 1;
+    row.number = breath.number;
     row.onset_s = breath.onset_s;
     row.tidal_volume_m3 = breath.tidal_volume_m3;
     row.muscle = {"k_muscle", "N/m", not_fitted, not_fitted, not_fitted, not_fitted};

@@ -31,9 +31,8 @@ MeasuredBreath chosen_breath(const Segmentation& s, const std::string& which,
     throw InputError({"--breath " + which}, "this does not name a breath",
                      "mean, each or the number of a breath, from 1");
   MeasuredBreath breath = single_breath(s, number);
-  if (!s.breaths[number - 1].kept)
-    notes.push_back(fmt::format("breath {} would not be part of the mean breath: {}", number,
-                                s.breaths[number - 1].reason));
+  if (const Breath& used = breath.used.front(); !used.kept)
+    notes.push_back(fmt::format("breath {} would not be part of the mean breath: {}", number, used.reason));
   return breath;
 }
 
@@ -226,6 +225,10 @@ void FitJob::store(const FitOutcome& outcome, const std::string& argv) {
   if (breath) {
     record.statistics.push_back({"breaths_used", "1", static_cast<double>(breath->breaths_used)});
     record.statistics.push_back({"breaths_rejected", "1", static_cast<double>(breath->breaths_rejected)});
+    if (breath->window) {
+      record.statistics.push_back({"window_begin", "s", breath->window->begin_s});
+      record.statistics.push_back({"window_end", "s", breath->window->end_s});
+    }
   }
   record.channels = channel_curves(*fit_, e);
   record.input = outcome.input;

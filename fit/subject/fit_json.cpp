@@ -7,6 +7,7 @@
 #include "subject/clinic_json.hpp"
 #include "subject/fit_summary.hpp"
 #include "subject/observable_noise.hpp"
+#include "subject/window_json.hpp"
 
 namespace trunk {
 namespace {
@@ -170,6 +171,8 @@ Json fit_json(const SubjectFit& fit, const FitOutcome& outcome) {
   json["starts"] = fit.compartment_searches().size();
   json["simulations"] = e.simulations;
   json["notes"] = outcome.notes;
+  if (const auto& breath = fit.measurement().breath; breath && breath->window)
+    json["window"] = window_json(*breath->window);
   if (!fit.scale().empty()) json["priors"] = priors_json(fit.scale());
   if (e.local && e.local->blocks.size() > 1) json["observables"] = observables_json(fit, e);
   if (outcome.results.straight) json["straight_activation"] = straight_json(*outcome.results.straight);

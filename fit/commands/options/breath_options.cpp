@@ -22,6 +22,19 @@ void add_breath_options(CLI::App& command, BreathSelection& selection) {
   };
   numbers("--exclude", selection.excluded, "Rejects these breaths.");
   numbers("--include", selection.included, "Keeps these breaths, even if they look odd.");
+  const auto time = [&command](const std::string& option, std::optional<double>& chosen,
+                               const std::string& what) {
+    command
+        .add_option_function<double>(
+            option, [&chosen](const double& s) { chosen = s; }, what)
+        ->type_name("S")
+        ->group("Which breaths to use")
+        ->check(within(-1e9, 1e9));
+  };
+  time("--begin", selection.begin_s,
+       "Uses only breaths that begin at this time of the recording, in s, or later. Their numbers stay those "
+       "of the whole recording.");
+  time("--end", selection.end_s, "Uses only breaths that end by this time of the recording, in s.");
   command
       .add_option_function<double>(
           "--calibrate-tidal-volume",

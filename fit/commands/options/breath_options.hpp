@@ -6,7 +6,7 @@
 
 namespace trunk {
 
-/// Adds --exclude, --include and --calibrate-tidal-volume.
+/// Adds --exclude, --include, --begin, --end and --calibrate-tidal-volume.
 void add_breath_options(CLI::App& command, BreathSelection& selection);
 
 }  // namespace trunk

@@ -10,6 +10,7 @@
 #include "math/median.hpp"
 #include "math/units.hpp"
 #include "subject/clinic_json.hpp"
+#include "subject/window_json.hpp"
 
 namespace trunk {
 namespace {
@@ -115,12 +116,13 @@ Json breaths_json(const Segmentation& s, const std::vector<ClinicNumber>& clinic
     json[units.ventilation_key()] = units.ventilation(total.volume_m3 / total.duration_s);
     json["median"] = as_object(medians_of(kept, units));
   }
+  if (s.window) json["window"] = window_json(*s.window);
   if (!s.channels.empty() || s.excursion_m) json["channels"] = channels_json(s);
   if (!clinic.empty()) json["clinic"] = clinic_json(clinic);
   Json list = Json::array();
   std::size_t used = 0;
   for (const Breath& b : s.breaths) {
-    Json one{{"number", list.size() + 1}, {"onset_s", b.onset_s}, {"peak_s", b.peak_s}, {"end_s", b.end_s}};
+    Json one{{"number", b.number}, {"onset_s", b.onset_s}, {"peak_s", b.peak_s}, {"end_s", b.end_s}};
     one.update(as_object(measures_of(b, units)));
     one["kept"] = b.kept;
     one["reason"] = b.reason;
@@ -137,10 +139,9 @@ std::string breaths_text(const Segmentation& s, const std::vector<ClinicNumber>&
   std::string text = fmt::format(
       "  breath  onset s   peak s    end s   Ti s   Te s Ttot s  pause  VT {:>5} V' {:>5}  kept\n",
       s.calibrated ? "ml" : "a.u.", s.calibrated ? "L/min" : "/min");
-  std::size_t number = 0;
   for (const Breath& b : s.breaths)
     text +=
-        table_row(fmt::format("  {:>6} {:>8.2f} {:>8.2f} {:>8.2f}", ++number, b.onset_s, b.peak_s, b.end_s),
+        table_row(fmt::format("  {:>6} {:>8.2f} {:>8.2f} {:>8.2f}", b.number, b.onset_s, b.peak_s, b.end_s),
                   measures_of(b, units), judgement(b));
   const std::vector<Breath> kept = kept_of(s);
   if (!kept.empty()) {
@@ -165,9 +166,9 @@ std::string breaths_csv(const Segmentation& s, const std::vector<ClinicNumber>& 
   for (const BreathMeasure& c : measures_of(s.breaths.front(), units)) text += "," + c.name;
   for (const ClinicNumber& n : clinic) text += "," + n.name;
   text += ",kept,reason\n";
-  std::size_t number = 0, used = 0;
+  std::size_t used = 0;
   for (const Breath& b : s.breaths) {
-    text += fmt::format("{},{:.6g},{:.6g},{:.6g}", ++number, b.onset_s, b.peak_s, b.end_s);
+    text += fmt::format("{},{:.6g},{:.6g},{:.6g}", b.number, b.onset_s, b.peak_s, b.end_s);
     for (const BreathMeasure& c : measures_of(b, units)) text += fmt::format(",{:.6g}", c.value);
     for (const ClinicNumber& n : clinic)
       text += b.kept && std::isfinite(n.each[used]) ? fmt::format(",{:.6g}", n.each[used]) : ",";
