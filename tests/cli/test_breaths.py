@@ -209,7 +209,7 @@ class Gates(TrunkTest):
         self.assertEqual(self.gates("t.csv")[0], [])
         checked = self.trunk("check", HEALTHY, "--trace", "t.csv", "--json")
         self.assertEqual(checked.json()["gates"], ["subject_size"])
-        self.assertRegex(checked.err, "this trunk is an adult's of 4719 ml")
+        self.assertRegex(checked.err, "this trunk is an adult's of 4760 ml")
 
     def test_too_few_samples_and_breaths_are_said(self):
         self.file("t.csv", trace(count=30, period_s=1.0, inspiration_s=0.4, rate_hz=4))
