@@ -320,7 +320,7 @@ class Shown(TrunkTest):
     def test_a_gate_withholds_and_says_why_once(self):
         lines = self.lines(text=trace(count=6, tidal_ml=40))  # 0.8 % of this trunk's end-expiratory volume
         self.assertEqual(sum("withheld " in line for line in lines), 5, "\n".join(lines))
-        self.assertEqual("\n".join(lines).count("this trunk is an adult's of 4719 ml"), 1)
+        self.assertEqual("\n".join(lines).count("this trunk is an adult's of 4760 ml"), 1)
         self.assertRegex(lines[-2], r"\A\* ")
         self.assertRegex(next(line for line in lines if "recoil time" in line), r"withheld +not determined \*")
 
@@ -336,11 +336,11 @@ class Gated(TrunkTest):
     def test_json(self):
         self.assertEqual((self.json["gates"], self.json["grade"], self.json["status"]),
                          (["subject_size"], "not_determined", "not_identifiable"))
-        self.assertIn("4719 ml", self.json["verdict"])
+        self.assertIn("4760 ml", self.json["verdict"])
         for name in OF_MUSCLE:
             result = self.json["results"][name]
             self.assertEqual([result[key] for key in ("value", "lower95", "upper95", "grade")], [None] * 3 + ["not_determined"])
-            self.assertIn("4719 ml", result["reason"])
+            self.assertIn("4760 ml", result["reason"])
         for estimate in (*self.json["parameters"].values(), self.json["ratio"]):
             self.assertEqual([estimate[key] for key in ("value", "stderr", "lower95", "upper95", "naive_lower95")], [None] * 5)
         for name in ("recoil_time_s", "k_elasticity", "k_muscle"):
@@ -361,7 +361,7 @@ class Gated(TrunkTest):
     def test_goes_before_a_search_that_did_not_end(self):
         fit = self.succeeds("fit", HEALTHY, "--trace", "t.csv", "-o", "g.h5", *FAST_FIT, "--max-evaluations", "5", codes=(4,))
         self.assertEqual((fit["grade"], fit["gates"]), ("not_determined", ["subject_size"]))
-        self.assertIn("4719 ml", fit["verdict"])
+        self.assertIn("4760 ml", fit["verdict"])
 
     def test_nothing_else_is_made_of_it(self):
         paralysed = str(SCENARIOS / "hemiparalysis_right.toml")
