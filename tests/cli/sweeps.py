@@ -3,7 +3,7 @@
 import csv
 import io
 
-from support import HEALTHY, TrunkTest, catches, start
+from support import NO_LUNG, TrunkTest, catches, start
 
 GRID = '"time.dt_ms" = [3]\n"time.duration_s" = [0.3]\n'
 OF_GRID = ("--set", "time.dt_ms=3", "--set", "time.duration_s=0.3")  # of a run alone
@@ -11,7 +11,7 @@ SLOW_GRID = '"time.dt_ms" = [0.01]\n"time.duration_s" = [0.3]\n'  # 30,000 steps
 
 
 class SweepTest(TrunkTest):
-    def design(self, grid, name="s.toml", scenarios=(HEALTHY,), top=""):
+    def design(self, grid, name="s.toml", scenarios=(NO_LUNG,), top=""):
         return self.file(name, f'schema = "trunk.sweep/1"\ntitle = "test"\nscenarios = {list(map(str, scenarios))}\n'
                                f"{top}\n[grid]\n{grid}")
 

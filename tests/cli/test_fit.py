@@ -6,7 +6,7 @@ import unittest
 
 import h5py
 
-from support import FAST_FIT, HEALTHY, NO_LUNG, ROOT, SCENARIOS, TrunkTest, breaths, csv, scenario_with, shared_file, trace
+from support import FAST_FIT, HEALTHY, NO_LUNG, ROOT, SCENARIOS, TrunkTest, at_night, breaths, csv, scenario_with, shared_file, trace
 
 FITTED = (0, 4)  # determined, or with an assumption; not determined is a result as well
 KEPT = {"status", "parameters", "ratio", "nrmse_percent", "tidal_volume_measured_ml", "tidal_volume_error_ml",
@@ -49,6 +49,7 @@ class Contract(TrunkTest):
         self.assertEqual((fit["grade"], fit["gates"]), ("assumption", []))
         return fit["results"]
 
+    @at_night
     def test_twice_the_damping_to_begin_with_changes_nothing(self):
         once, twice = (self.fit(ROOT / "reference/canterbury_subject03.csv", "--set", f"parameters.damping_N_s_per_m={damping}")
                        for damping in (14.5, 29))
@@ -57,6 +58,7 @@ class Contract(TrunkTest):
             self.assertAlmostEqual(twice[name]["value"] / result["value"], 1, delta=0.01, msg=name)
             self.assertEqual(twice[name]["grade"], result["grade"], name)
 
+    @at_night
     def test_odd_and_even_breaths_overlap(self):
         rng = random.Random(1)
         times, volumes = breaths(count=16, period_s=4, inspiration_s=1.6, tau_s=0.35, rate_hz=50)
@@ -90,7 +92,8 @@ class OnePosterior(TrunkTest):
         with h5py.File(self.folder / "f.h5") as file:  # what predictions rest on
             names = [name.decode() for name in file["draws/parameter"]]
             drawn = sorted(file["draws/value"][:, names.index("k_elasticity")])
-        self.assertTrue(0.97 * found["lower95"] < drawn[1] and drawn[-2] < 1.03 * found["upper95"], drawn)
+        # Of 64 draws, three are expected outside.
+        self.assertTrue(found["lower95"] < drawn[3] and drawn[-4] < found["upper95"], drawn)
 
     def test_a_muscle_held_at_its_fitted_value_gives_the_same_tissue(self):
         for scenario, narrower in ((NO_LUNG, 0.5), (HEALTHY, 0.7)):  # a lung's stiffness adds to the tissue's
@@ -145,7 +148,8 @@ class Fit(TrunkTest):
             self.assertEqual([estimate[end] for end in ("value", "lower95", "upper95")],
                              [fit["results"][name][end] for end in ("value", "lower95", "upper95")])
         self.assertLess(fit["nrmse_percent"], 5)
-        by_trace = self.fit("--timing", "trace", "--force")
+        by_trace = self.succeeds("fit", NO_LUNG, "--trace", "t.csv", "-o", "f.h5", *FAST_FIT, "--timing", "trace", "--force",
+                                 codes=FITTED)
         self.assertLess(by_trace["baseline_nrmse_percent"], 0.5)  # the trace is that model's own
 
     def test_the_tidal_volume_is_the_one_breaths_shows(self):

@@ -158,6 +158,7 @@ class Prediction(TrunkTest):
         self.assert_intervals_are_of_the_draws(results, {"recoil_time_s": recoil} | {
             name: values[name] for name in ("k_muscle_over_k_elasticity", "k_elasticity", "k_muscle")})
 
+    @at_night
     def test_draws_of_a_trunk_with_a_lung_have_the_intervals_of_the_fit(self):
         results, values = self.drawn(HEALTHY)
         self.assert_intervals_are_of_the_draws(results, {
@@ -194,6 +195,7 @@ class Prediction(TrunkTest):
             self.assertEqual(float(row["delta_v_ml"]), alone["delta_v_ml"])
             self.assertNotEqual(float(row["end_expiratory_above_relaxation_ml"]), 0.0)
 
+    @at_night
     def test_a_row_of_a_sweep_has_the_intervals_of_the_run_alone(self):
         self.predicted(*QUICK, "--set", "time.dt_ms=1", "--draws", "16", text=noisy(5))
         top = f'scenarios = ["{PARALYSED}"]\nsubjects = ["f.h5"]\n'

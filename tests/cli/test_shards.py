@@ -8,7 +8,7 @@ import unittest
 
 import h5py
 
-from support import HEALTHY, PROGRAM, ROOT, SCENARIOS, Outcome, catches, file_limit, start
+from support import NO_LUNG, PROGRAM, ROOT, SCENARIOS, Outcome, catches, file_limit, start
 from sweeps import GRID, SLOW_GRID, SweepTest
 
 
@@ -17,7 +17,7 @@ class Shards(SweepTest):
         for store in ("summary", "full"):
             design = self.design('"parameters.k_muscle_N_per_m" = [10, 20, 30, 40]\n"time.dt_ms" = [3, 20]\n'
                                  '"time.duration_s" = [0.3]\n', top=f'store = "{store}"',
-                                 scenarios=(HEALTHY, SCENARIOS / "hemiparalysis_right.toml"))
+                                 scenarios=(NO_LUNG, SCENARIOS / "hemiparalysis_right.toml"))
             whole, parts = f"{store}_whole", f"{store}_parts"
             self.succeeds("sweep", design, "-o", whole, "-j", "2", codes=(3,), epoch=0)
             running = [start("sweep", design, "-o", parts, "-j", k, "--shard", f"{k}/3", cwd=self.folder, epoch=0)

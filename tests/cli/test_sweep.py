@@ -6,7 +6,7 @@ import unittest
 
 import h5py
 
-from support import COARSE, HEALTHY, NO_LUNG, SCENARIOS, SHORT_BREATH, Outcome, scenario_with, start
+from support import COARSE, NO_LUNG, SCENARIOS, SHORT_BREATH, Outcome, scenario_with, start
 from sweeps import GRID, OF_GRID, SLOW_GRID, SweepTest
 
 
@@ -94,7 +94,7 @@ class Results(SweepTest):
 
     def test_a_row_is_the_run_alone(self):
         self.succeeds("sweep", self.muscles(3), "-o", "d")
-        alone = self.succeeds("simulate", HEALTHY, "-o", "r.h5", "--set", "parameters.k_muscle_N_per_m=35", *OF_GRID)
+        alone = self.succeeds("simulate", NO_LUNG, "-o", "r.h5", "--set", "parameters.k_muscle_N_per_m=35", *OF_GRID)
         for name in ("delta_v_ml", "excursion_left_mm", "abdominal_pressure_peak_cmH2O"):
             self.assertEqual(float(self.rows()[1][name]), alone[name])
 
@@ -192,7 +192,7 @@ class Limits(SweepTest):
 
 class Samples(SweepTest):
     def sampled(self, method, seed=1, top=""):
-        return self.file(f"{method}{seed}.toml", f'scenarios = ["{HEALTHY}"]\nstore = "summary"\n{top}\n'
+        return self.file(f"{method}{seed}.toml", f'scenarios = ["{NO_LUNG}"]\nstore = "summary"\n{top}\n'
                          f'[grid]\n{GRID}[sample]\nmethod = "{method}"\npoints = 16\nseed = {seed}\n'
                          '"parameters.k_muscle_N_per_m" = { from = 10, to = 1000, scale = "log" }\n'
                          '"geometry.dome_height_left_mm" = { from = 60, to = 76 }\n')
@@ -232,9 +232,9 @@ class Samples(SweepTest):
 class Subjects(SweepTest):
     def test_a_subject_is_put_on_every_scenario(self):
         for name, muscle in (("a", 25), ("b", 35)):
-            self.succeeds("simulate", HEALTHY, "-o", f"{name}.h5", "--set", f"parameters.k_muscle_N_per_m={muscle}",
+            self.succeeds("simulate", NO_LUNG, "-o", f"{name}.h5", "--set", f"parameters.k_muscle_N_per_m={muscle}",
                           *COARSE, "--set", "activation.rise_s=0.2")
-        design = self.file("s.toml", f'scenarios = ["{HEALTHY}", "{SCENARIOS / "hemiparalysis_right.toml"}"]\n'
+        design = self.file("s.toml", f'scenarios = ["{NO_LUNG}", "{SCENARIOS / "hemiparalysis_right.toml"}"]\n'
                            f'subjects = ["a.h5", "b.h5"]\nstore = "summary"\n[grid]\n{GRID}')
         self.succeeds("sweep", design, "-o", "d")
         self.assertEqual([(r["scenario"], r["subject"]) for r in self.rows()],

@@ -109,7 +109,7 @@ TEST_CASE("A spring of the membrane pulls when longer and pushes when shorter, w
 
 TEST_CASE("With a membrane the trunk has a spring on every edge of abdomen and diaphragm, else none",
           "[unit][forces]") {
-  Scenario scenario = shipped("healthy");
+  Scenario scenario = without_lung("healthy");
   CHECK(make_trunk(scenario).model.membrane.empty());
   const double before = run_breath(make_trunk(scenario), scenario, 0).measures.delta_v;
   scenario.tissue.membrane_stiffness = 300.0;

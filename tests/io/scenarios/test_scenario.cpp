@@ -130,7 +130,7 @@ void check_equal(const Scenario& a, const Scenario& b) {
 
 }  // namespace
 
-TEST_CASE("Every shipped scenario loads, builds and is stable", "[unit][io]") {
+TEST_CASE("Every shipped scenario loads, builds and is stable", "[unit][io][long]") {
   int count = 0;
   for (const auto& entry : std::filesystem::directory_iterator(scenario_folder())) {
     if (entry.path().extension() != ".toml") continue;

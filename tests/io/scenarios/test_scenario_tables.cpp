@@ -139,7 +139,7 @@ TEST_CASE("The resolution of the template is a whole number from 1 to 16", "[uni
     CHECK_THAT(message, Contains("bad.toml:2: ") && Contains("geometry.resolution") &&
                             Contains("a whole number, 1 to 16"));
   }
-  const auto healthy = scenario_folder() / "healthy.toml";
+  const auto healthy = scenario_folder() / "healthy_no_lung.toml";
   CHECK(read_scenario(healthy, {"geometry.resolution=3"}).scenario.geometry.resolution == 3);
   CHECK_THAT(message_of(healthy, {"geometry.resolution=1.5"}),
              Contains("--set geometry.resolution=1.5") && Contains("a whole number"));
