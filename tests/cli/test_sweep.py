@@ -238,7 +238,7 @@ class Subjects(SweepTest):
                            f'subjects = ["a.h5", "b.h5"]\nstore = "summary"\n[grid]\n{GRID}')
         self.succeeds("sweep", design, "-o", "d")
         self.assertEqual([(r["scenario"], r["subject"]) for r in self.rows()],
-                         [(s, f"{x}.h5") for s in ("healthy", "hemiparalysis_right") for x in "ab"])
+                         [(s, f"{x}.h5") for s in ("healthy_no_lung", "hemiparalysis_right") for x in "ab"])
         alone = self.succeeds("simulate", SCENARIOS / "hemiparalysis_right.toml", "-o", "r.h5", "--from", "b.h5",
                               *OF_GRID)
         self.assertEqual(float(self.rows()[3]["delta_v_ml"]), alone["delta_v_ml"])
