@@ -6,7 +6,7 @@ std::vector<ScalePrior> scale_priors(const Parameters<double>& p, bool lung) {
   const char* judgement = "around the scenario's value (our choice)";
   std::vector<ScalePrior> all = {
       {std::string(abdominal_elastance_prior), "cmH2O/L", 7.0, 1.4,
-       "a gastric swing of 3.7 (SD 1.1) cmH2O at 0.6 L in quiet breathing"},
+       "a gastric rise of 3.7 (SD 1.1) cmH2O when a ventilator gives 0.6 L to patients"},
       {"damping", "N s/m", 14.5, 1.6, "that of the shipped healthy trunk (our choice)"},
       {"abdomen_stiffness_factor", "1", p.abdomen_factor, 1.6, judgement}};
   if (!lung) return all;

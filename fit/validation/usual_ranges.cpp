@@ -7,7 +7,8 @@ using Breath = ValidatedBreath;
 
 constexpr UsualRange usual[] = {
     {"gastric_swing_cmH2O", "gastric", "cmH2O", 3.0, 4.0,
-     "3.7 (SD 1.1) when a ventilator gives 0.6 L to patients with COPD (Eur Respir J 2005;25:259)",
+     "our choice; 3.7 (SD 1.1) when a ventilator gives 0.6 L to patients (a study of the prone posture, Eur "
+     "Respir J)",
      &Breath::gastric_swing_cmH2O},
     {"pleural_swing_cmH2O", "pleural", "cmH2O", -5.0, -3.0,
      "our choice; textbooks let the pleural pressure fall from -5 to -8 (West, Respiratory Physiology)",

@@ -108,7 +108,8 @@ Eigen::VectorXd Settling::operator()(const Eigen::VectorXd& draw) {
     next(moving_) += length * (step * apart);
     next = problem.inside(next);
     const Eigen::VectorXd there = misfit(next);
-    const bool better = there.norm()<apart.norm(), slow = there.norm()> 0.3 * apart.norm();
+    const double part = there.norm() / apart.norm();
+    const bool better = part<1.0, slow = part> 0.3;
     length = better ? 1.0 : 0.4 * length;
     if (better) {
       x = next;

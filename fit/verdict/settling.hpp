@@ -11,9 +11,10 @@ namespace trunk {
 ///
 /// k_muscle, the timing and the shape of the activation move until the compartment has the volume that the
 /// linear model gives the draw; they move as little as their priors allow. The other mechanical parameters
-/// stay. Steps are those of Gauss and Newton with the slopes of the best point. What the compartment misses
-/// of the trunk's volume that far away is measured by two simulations along each axis of the covariance of
-/// the parameters that stay, and taken as a parabola along the axis (our choice).
+/// stay. Steps are those of Gauss and Newton, with the slopes of the best point as long as these serve. A
+/// draw that no such step brings back stays as near as it came. What the compartment misses of the trunk's
+/// volume that far away is measured by two simulations along each axis of the covariance of the parameters
+/// that stay, and taken as a parabola along the axis (our choice).
 class Settling {
  public:
   /// `problem` and what it refers to must outlive this. The estimation must have a local fit.
