@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "anatomy/breath_run.hpp"
 #include "anatomy/measures.hpp"
 #include "channels/read_breaths.hpp"
 #include "commands/commands.hpp"
@@ -26,7 +27,7 @@ struct CheckRequest {
 /// What a check gathers. All mistakes are printed, not only the first.
 struct Findings {
   Mistakes mistakes;
-  std::optional<double> end_expiratory_m3;  // of the trunk, if it can be built
+  std::optional<Trunk> trunk;  // if it can be built
   std::vector<std::string> notes;
   Json json{{"schema", "trunk.check/1"}};
   std::string text;
@@ -68,8 +69,7 @@ std::optional<ScenarioFile> check_scenario(const CheckRequest& request, Findings
   findings.mistakes.gather([&] { file = read_scenario(request.fit.scenario, request.fit.settings); });
   if (!file) return file;
   findings.mistakes.gather([&] {
-    const Trunk trunk = build_trunk(*file);
-    findings.end_expiratory_m3 = end_expiratory_volume(trunk, file->scenario);
+    const Trunk& trunk = findings.trunk.emplace(build_trunk(*file));
     const TimeGrid& time = file->scenario.time;
     const double bound_s = stable_time_step(trunk.model, file->scenario.parameters, time.damping);
     findings.json["scenario"] = request.fit.scenario;
@@ -90,13 +90,23 @@ std::optional<ScenarioFile> check_scenario(const CheckRequest& request, Findings
   return file;
 }
 
-void check_trace(const CheckRequest& request, Findings& findings) {
+/// Returns what speaks against a fit. Only a size that does not fit the trunk costs a simulation.
+Screening screened_beside(const Segmentation& segmentation, const ScenarioFile* file,
+                          const Findings& findings) {
+  if (!file || !findings.trunk) return screened(segmentation, std::nullopt);
+  const Trunk& trunk = *findings.trunk;
+  Screening screening = screened(segmentation, shape_of(trunk, trunk.model.rest).lung_volume);
+  if (screening.gates.empty()) return screening;
+  return screened(segmentation, end_expiratory_volume(trunk, file->scenario));
+}
+
+void check_trace(const CheckRequest& request, const ScenarioFile* file, Findings& findings) {
   findings.mistakes.gather([&] {
     const Segmentation segmentation =
         read_breaths(request.fit.trace, request.fit.signal, request.fit.selection);
     const MeasuredBreath breath = mean_breath(segmentation);
     findings.notes.insert(findings.notes.end(), segmentation.notes.begin(), segmentation.notes.end());
-    const Screening screening = screened(segmentation, findings.end_expiratory_m3);
+    const Screening screening = screened_beside(segmentation, file, findings);
     findings.json["gates"] = Json::array();
     for (const Gate& gate : screening.gates) {
       findings.json["gates"].push_back(gate.name);
@@ -157,7 +167,7 @@ Exit check_command(const Common& common, CheckRequest request) {
   findings.notes = settle_files(request.fit);
   const FitRequest& fit = request.fit;
   const std::optional<ScenarioFile> file = check_scenario(request, findings);
-  if (!fit.trace.empty()) check_trace(request, findings);
+  if (!fit.trace.empty()) check_trace(request, file ? &*file : nullptr, findings);
   check_fit(fit, file, findings.mistakes);
   return print_findings(common, findings);
 }
